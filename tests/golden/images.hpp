@@ -53,38 +53,30 @@ inline Scene second_scene() {
   return render_scene({SceneKind::border_touching, 2, 320, true, 7});
 }
 
-inline void add_noise(Gallery& gallery, Index width, Index height, int percent, Index granularity,
-                      std::uint64_t seed) {
-  const std::string name =
-      "noise_" + std::to_string(percent) +
-      (granularity == 1 ? std::string() : "_blocks_of_" + std::to_string(granularity));
-  gallery.add(seeded(sized(name, width, height), seed),
-              noise_image(width, height, percent, granularity, seed));
-}
+struct Noise {
+  Index width;
+  Index height;
+  int percent;
+  Index granularity = 1;
+};
 
-inline void add_narrow_noise(Gallery& gallery) {
-  add_noise(gallery, 1, 70, 60, 1, 1);
-  add_noise(gallery, 2, 17, 70, 1, 2);
-  add_noise(gallery, 3, 700, 85, 1, 3);
-  add_noise(gallery, 31, 17, 50, 1, 4);
-  add_noise(gallery, 31, 700, 70, 5, 5);
-  add_noise(gallery, 63, 70, 85, 2, 6);
-  add_noise(gallery, 64, 48, 35, 1, 7);
-  add_noise(gallery, 65, 70, 60, 3, 8);
-  add_noise(gallery, 127, 17, 97, 1, 9);
-  add_noise(gallery, 128, 70, 65, 4, 10);
-}
+/// Their places, counted from 1, are the seeds. The last two are large enough to run on several
+/// threads.
+constexpr Noise kNoise[] = {
+    {1, 70, 60},     {2, 17, 70},          {3, 700, 85},    {31, 17, 50},  {31, 700, 70, 5},
+    {63, 70, 85, 2}, {64, 48, 35},         {65, 70, 60, 3}, {127, 17, 97}, {128, 70, 65, 4},
+    {200, 2, 50},    {511, 17, 80, 3},     {512, 70, 20},   {513, 1, 60},  {1030, 70, 50, 9},
+    {4200, 40, 99},  {1100, 1000, 60, 12}, {1030, 1100, 99}};
 
-inline void add_wide_noise(Gallery& gallery) {
-  add_noise(gallery, 200, 2, 50, 1, 11);
-  add_noise(gallery, 511, 17, 80, 3, 12);
-  add_noise(gallery, 512, 70, 20, 1, 13);
-  add_noise(gallery, 513, 1, 60, 1, 14);
-  add_noise(gallery, 1030, 70, 50, 9, 15);
-  add_noise(gallery, 4200, 40, 99, 1, 16);
-  // Large enough to run on several threads.
-  add_noise(gallery, 1100, 1000, 60, 12, 17);
-  add_noise(gallery, 1030, 1100, 99, 1, 18);
+inline void add_noise(Gallery& gallery) {
+  std::uint64_t seed = 0;
+  for (const auto& [width, height, percent, granularity] : kNoise) {
+    const std::string blocks =
+        granularity == 1 ? std::string() : "_blocks_of_" + std::to_string(granularity);
+    ++seed;
+    gallery.add(seeded(sized("noise_" + std::to_string(percent) + blocks, width, height), seed),
+                noise_image(width, height, percent, granularity, seed));
+  }
 }
 
 inline void add_strokes(Gallery& gallery) {
@@ -109,14 +101,10 @@ inline void add_border_shapes(Gallery& gallery) {
 }
 
 inline void add_plain(Gallery& gallery) {
-  const auto all = [](Index, Index) { return true; };
-  gallery.add_shape("foreground", 0, 0, all);
-  gallery.add_shape("foreground", 0, 7, all);
-  gallery.add_shape("foreground", 7, 0, all);
-  gallery.add_shape("foreground", 1, 1, all);
-  gallery.add_shape("foreground", 65, 33, all);
-  gallery.add_shape("foreground", 200, 2, all);
-  gallery.add_shape("foreground", 512, 40, all);
+  for (const auto& [width, height] :
+       {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}, {1, 1}, {65, 33}, {200, 2}, {512, 40}}) {
+    gallery.add_shape("foreground", width, height, [](Index, Index) { return true; });
+  }
   gallery.add_shape("background", 64, 17, [](Index, Index) { return false; });
   gallery.add_shape("checkerboard", 64, 17, [](Index x, Index y) { return (x + y) % 2 == 0; });
 }
@@ -128,31 +116,33 @@ inline std::vector<TestImage> binary_images() {
   gallery.add("all_neighbourhoods_261x32", neighbourhood_sheet(5));
   // Foreground values other than 255.
   gallery.add("values_0_to_3_130x40_seed20", grey_noise_image(130, 40, 0, 3, 20));
-  add_narrow_noise(gallery);
-  add_wide_noise(gallery);
+  add_noise(gallery);
   add_strokes(gallery);
   add_border_shapes(gallery);
   add_plain(gallery);
   return gallery.take();
 }
 
-inline void add_grey_noise(Gallery& gallery, Index width, Index height, int min_level,
-                           int max_level, std::uint64_t seed) {
-  const std::string name =
-      "grey_noise_" + std::to_string(min_level) + "_to_" + std::to_string(max_level);
-  gallery.add(seeded(sized(name, width, height), seed),
-              grey_noise_image(width, height, static_cast<std::uint8_t>(min_level),
-                               static_cast<std::uint8_t>(max_level), seed));
-}
+struct GreyNoise {
+  Index width;
+  Index height;
+  std::uint8_t min_level;
+  std::uint8_t max_level;
+};
+
+/// Their seeds follow those of the binary images.
+constexpr GreyNoise kGreyNoise[] = {{1, 1, 0, 255},     {2, 3, 0, 255},    {5, 100, 0, 255},
+                                    {31, 65, 118, 138}, {200, 70, 0, 255}, {513, 65, 90, 170},
+                                    {1030, 17, 60, 255}};
 
 inline void add_grey_noises(Gallery& gallery) {
-  add_grey_noise(gallery, 1, 1, 0, 255, 21);
-  add_grey_noise(gallery, 2, 3, 0, 255, 22);
-  add_grey_noise(gallery, 5, 100, 0, 255, 23);
-  add_grey_noise(gallery, 31, 65, 118, 138, 24);
-  add_grey_noise(gallery, 200, 70, 0, 255, 25);
-  add_grey_noise(gallery, 513, 65, 90, 170, 26);
-  add_grey_noise(gallery, 1030, 17, 60, 255, 27);
+  std::uint64_t seed = 20;
+  for (const auto& [width, height, low, high] : kGreyNoise) {
+    const std::string name = "grey_noise_" + std::to_string(low) + "_to_" + std::to_string(high);
+    ++seed;
+    gallery.add(seeded(sized(name, width, height), seed),
+                grey_noise_image(width, height, low, high, seed));
+  }
   const ByteImage blocks = grey_noise_image(92, 84, 0, 255, 28);
   gallery.add_levels("grey_noise_blocks_of_12_seed28", 1100, 1000,
                      [&](Index x, Index y) { return blocks.at(x / 12, y / 12); });
