@@ -19,8 +19,8 @@ struct TrueNode {
 };
 
 struct TrueEdge {
-  std::size_t from;
-  std::size_t to;
+  Pixel from;
+  Pixel to;
   int straight;
   int diagonal;
   Pixel first;  // in raster order, ends included
@@ -66,17 +66,14 @@ class Drawing {
         height_(height),
         pixels_(static_cast<std::size_t>(width * height)),
         linked_(pixels_.size()),
-        point_at_(pixels_.size(), kNone) {}
+        is_point_(pixels_.size()) {}
 
-  std::size_t point(Pixel p) {
-    std::size_t& at = point_at_[place(p)];
-    if (at == kNone) {
-      if (is_drawn(p)) overlaps_ = true;
-      at = points_.size();
-      points_.push_back({NodeKind::isolated, p});
-      pixels_[place(p)] = 255;
-    }
-    return at;
+  void point(Pixel p) {
+    if (is_point_[place(p)]) return;
+    if (is_drawn(p)) overlaps_ = true;
+    points_.push_back(p);
+    is_point_[place(p)] = true;
+    pixels_[place(p)] = 255;
   }
 
   /// Only its ends are points; it may not pass others.
@@ -84,9 +81,7 @@ class Drawing {
 
   /// Every pixel of the path is a point, so that other lines may meet it anywhere.
   void path(const Path& pixels) {
-    for (std::size_t i = 1; i < pixels.size(); ++i) {
-      if (point(pixels[i - 1]) != point(pixels[i])) add({pixels[i - 1], pixels[i]});
-    }
+    for (std::size_t i = 1; i < pixels.size(); ++i) add({pixels[i - 1], pixels[i]});
   }
 
   /// Whether the raster holds the drawing: pixels are joined if and only if they were drawn one
@@ -106,19 +101,18 @@ class Drawing {
 
   /// Points become nodes, but for bends: their two lines become one, or a cycle.
   [[nodiscard]] Truth truth() const {
-    Truth truth = {points_, edges_};
-    std::vector<bool> is_bend(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto lines = lines_of(truth, i);
-      TrueNode& node = truth.nodes[i];
-      if (lines > 0) node.kind = lines == 1 ? NodeKind::end : NodeKind::junction;
-      is_bend[i] = lines == 2 && !straighten(truth, i);
+    Truth truth = {{}, edges_};
+    for (const Pixel p : points_) {
+      const auto lines = lines_of(truth, p);
+      if (lines == 0) truth.nodes.push_back({NodeKind::isolated, p});
+      if (lines == 1) truth.nodes.push_back({NodeKind::end, p});
+      if (lines == 2) straighten(truth, p);
+      if (lines > 2) truth.nodes.push_back({NodeKind::junction, p});
     }
-    return without(truth, is_bend);
+    return truth;
   }
 
  private:
-  static constexpr auto kNone = static_cast<std::size_t>(-1);
   static constexpr std::array<Pixel, 8> kSteps = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
@@ -137,7 +131,9 @@ class Drawing {
   }
 
   void add(const Path& path) {
-    TrueEdge edge = {point(path.front()), point(path.back()), 0, 0, first_of(path)};
+    point(path.front());
+    point(path.back());
+    TrueEdge edge = {path.front(), path.back(), 0, 0, first_of(path)};
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Pixel p = path[i];
       const bool is_diagonal = p.x != path[i - 1].x && p.y != path[i - 1].y;
@@ -174,7 +170,7 @@ class Drawing {
     return true;
   }
 
-  static std::ptrdiff_t lines_of(const Truth& truth, std::size_t point) {
+  static std::ptrdiff_t lines_of(const Truth& truth, Pixel point) {
     std::ptrdiff_t lines = 0;
     for (const TrueEdge& edge : truth.edges) {
       lines += (edge.from == point ? 1 : 0) + (edge.to == point ? 1 : 0);
@@ -182,45 +178,31 @@ class Drawing {
     return lines;
   }
 
-  /// Makes one line of the two at a bend. True if these are one already: a cycle, whose node is the
+  /// Makes one line of the two at a bend. If these are one already it is a cycle, whose node is the
   /// first pixel.
-  static bool straighten(Truth& truth, std::size_t bend) {
+  static void straighten(Truth& truth, Pixel bend) {
     const auto ends_here = [=](const TrueEdge& edge) {
       return edge.from == bend || edge.to == bend;
     };
     const auto one = std::find_if(truth.edges.begin(), truth.edges.end(), ends_here);
     if (one->from == one->to) {
-      truth.nodes[bend] = {NodeKind::cycle, one->first};
-      return true;
+      truth.nodes.push_back({NodeKind::cycle, one->first});
+      one->from = one->to = one->first;
+      return;
     }
     const auto other = std::find_if(one + 1, truth.edges.end(), ends_here);
     const auto far = [=](const TrueEdge& edge) { return edge.from == bend ? edge.to : edge.from; };
     *one = {far(*one), far(*other), one->straight + other->straight,
             one->diagonal + other->diagonal, first_of({one->first, other->first})};
     truth.edges.erase(other);
-    return false;
-  }
-
-  static Truth without(const Truth& all, const std::vector<bool>& is_bend) {
-    Truth left = {{}, all.edges};
-    std::vector<std::size_t> place(all.nodes.size());
-    for (std::size_t i = 0; i < all.nodes.size(); ++i) {
-      place[i] = left.nodes.size();
-      if (!is_bend[i]) left.nodes.push_back(all.nodes[i]);
-    }
-    for (TrueEdge& edge : left.edges) {
-      edge.from = place[edge.from];
-      edge.to = place[edge.to];
-    }
-    return left;
   }
 
   int width_;
   int height_;
   std::vector<std::uint8_t> pixels_;
   std::vector<std::uint8_t> linked_;  // bit d: drawn before or after the neighbour in direction d
-  std::vector<std::size_t> point_at_;
-  std::vector<TrueNode> points_;
+  std::vector<bool> is_point_;
+  std::vector<Pixel> points_;
   std::vector<TrueEdge> edges_;
   bool overlaps_ = false;  // a line runs over another one
 };

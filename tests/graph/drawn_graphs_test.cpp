@@ -22,6 +22,10 @@ using Node = std::pair<NodeKind, Place>;
 /// The nodes of a line, and its straight and its diagonal steps.
 using Line = std::tuple<Place, Place, std::int32_t, std::int32_t>;
 
+Place place_of(Pixel p) {
+  return {p.y, p.x};
+}
+
 Line line_between_places(Place a, Place b, std::int32_t straight, std::int32_t diagonal) {
   return {std::min(a, b), std::max(a, b), straight, diagonal};
 }
@@ -38,10 +42,10 @@ struct Found {
 
 Found drawn_in(const Truth& truth) {
   Found all;
-  for (const TrueNode& node : truth.nodes) all.nodes.push_back({node.kind, {node.at.y, node.at.x}});
+  for (const TrueNode& node : truth.nodes) all.nodes.push_back({node.kind, place_of(node.at)});
   for (const TrueEdge& edge : truth.edges) {
-    all.lines.push_back(line_between_places(all.nodes[edge.from].second, all.nodes[edge.to].second,
-                                            edge.straight, edge.diagonal));
+    all.lines.push_back(
+        line_between_places(place_of(edge.from), place_of(edge.to), edge.straight, edge.diagonal));
   }
   all.sort();
   return all;
