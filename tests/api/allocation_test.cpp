@@ -1,6 +1,5 @@
 // Thinning does not allocate memory while it runs, and nothing does for images without pixels. What
 // remains where memory is short.
-#include <algorithm>
 #include <atomic>
 #include <climits>
 #include <cstdlib>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>

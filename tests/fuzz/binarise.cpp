@@ -3,7 +3,6 @@
 #include "thinbench/binarise.hpp"
 
 #include <stdexcept>
-#include <vector>
 
 #include "drawn_image.hpp"
 

@@ -1,6 +1,5 @@
 // Graphs with more nodes and more lines than 16 bits count.
 #include <algorithm>
-#include <cstdint>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // Polylines equal those of the plain method, and take no time that grows with the square of the
 // line's length.
 #include <array>
-#include <cmath>
 #include <ctime>
 #include <limits>
 #include <random>

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "out_of_core/out_of_core.hpp"
 #include "support/packed_image.hpp"

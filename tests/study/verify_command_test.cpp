@@ -1,4 +1,3 @@
-#include <memory>
 #include <regex>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "rules/weights_file.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
