@@ -525,6 +525,8 @@ static void finds_the_graph_of_a_skeleton(void) {
   CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
   CHECK(thinbench_graph_nodes(graph, &count, sizeof(thinbench_graph_node)) != NULL && count == 4);
   CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
+  CHECK(thinbench_graph_node_pixels(graph, &count, sizeof(thinbench_pixel))->x == 2 && count == 4);
+  CHECK(thinbench_graph_edge_pixels(graph, &count, sizeof(thinbench_pixel))->y == 1 && count == 3);
   CHECK(thinbench_graph_edge_widths(graph, distances, 5, 3, 5, widths) == THINBENCH_OK);
   CHECK(widths[0].min == 2 && widths[0].max > 2.8 && widths[0].max < 2.9);
   CHECK(thinbench_graph_edge_widths(graph, distances, 5, 1, 5, widths) ==
@@ -742,6 +744,7 @@ int main(void) {
   lists_what_there_is();
   thinbench_rule_destroy(guo_hall);
   thinbench_rule_destroy(zhang_suen);
+  thinbench_release_memory();
   if (failures == 0) printf("all passed\n");
   return failures;
 }

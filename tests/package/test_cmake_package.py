@@ -160,10 +160,15 @@ def test_installed_headers_are_the_public_ones(prefix):
 
 
 def test_exported_symbols_are_the_recorded_ones(prefix):
-    """THINBENCH_RECORD_SYMBOLS=1 records them again."""
+    """THINBENCH_RECORD_SYMBOLS=1 records them again. Those of C are what the header declares and its test calls."""
     (library,) = [path for path in prefix.rglob("libthinbench.so.*") if not path.is_symlink()]
     text = run("nm", "-DC", "--defined-only", library)
-    symbols = sorted({line.split(" ", 2)[2] for line in text.splitlines()})
+    exported = sorted({line.split(" ", 2)[2] for line in text.splitlines()})
+    declared = set(re.findall(r"\b(thinbench_\w+)\(", (ROOT / "kernels/include/thinbench.h").read_text()))
+    calls = (ROOT / "tests/api/c_interface_test.c").read_text()
+    assert [name for name in exported if name.startswith("thinbench_")] == sorted(declared)
+    assert [name for name in declared if f"{name}(" not in calls] == []
+    symbols = [name for name in exported if name not in declared]
     golden = Path(__file__).with_name("exported_symbols.txt")
     if "THINBENCH_RECORD_SYMBOLS" in os.environ:
         golden.write_text("\n".join(symbols) + "\n")
