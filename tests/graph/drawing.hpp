@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "thinbench/graph.hpp"
@@ -32,6 +33,12 @@ struct Truth {
 };
 
 using Path = std::vector<Pixel>;
+using Place = std::pair<std::int32_t, std::int32_t>;  // y, x
+
+/// Places are in raster order.
+inline Place place_of(Pixel p) {
+  return {p.y, p.x};
+}
 
 inline int across(Pixel a, Pixel b) {
   return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
@@ -52,9 +59,8 @@ inline Path line_between(Pixel a, Pixel b) {
 }
 
 inline Pixel first_of(const Path& path) {
-  return *std::min_element(path.begin(), path.end(), [](Pixel a, Pixel b) {
-    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-  });
+  return *std::min_element(path.begin(), path.end(),
+                           [](Pixel a, Pixel b) { return place_of(a) < place_of(b); });
 }
 
 /// Points and lines between them. Where a point has two lines it is a bend; what it is otherwise

@@ -17,14 +17,9 @@
 namespace thinbench {
 namespace {
 
-using Place = std::pair<std::int32_t, std::int32_t>;  // y, x
 using Node = std::pair<NodeKind, Place>;
 /// The nodes of a line, and its straight and its diagonal steps.
 using Line = std::tuple<Place, Place, std::int32_t, std::int32_t>;
-
-Place place_of(Pixel p) {
-  return {p.y, p.x};
-}
 
 Line line_between_places(Place a, Place b, std::int32_t straight, std::int32_t diagonal) {
   return {std::min(a, b), std::max(a, b), straight, diagonal};
