@@ -132,12 +132,6 @@ def test_distance_transform_equals_opencv_but_for_the_last_bit(image, view):
     np.testing.assert_array_max_ulp(found, cv2.distanceTransform(np.ascontiguousarray(source), *arguments), 1)
 
 
-def test_spacing_that_is_no_power_of_two_may_differ_in_last_bits():
-    image = random_image(1, 300)
-    np.testing.assert_allclose(compat.ndimage.distance_transform_edt(image, 0.3),
-                               ndimage.distance_transform_edt(image, 0.3), rtol=1e-15)
-
-
 def test_results_are_written_where_the_caller_says():
     image = random_image(7).astype(np.uint8)
     labels, count = compat.ndimage.label(image)
@@ -170,8 +164,3 @@ def test_labels_as_bool_are_those_of_scipy():
     expected, expected_count = ndimage.label(image, output=bool)
     assert found.dtype == expected.dtype and count == expected_count
     np.testing.assert_array_equal(found, expected)
-
-
-def test_a_negative_sampling_is_rejected():
-    with pytest.raises(ValueError, match="spacing"):
-        compat.ndimage.distance_transform_edt(np.ones((3, 3)), sampling=-2)

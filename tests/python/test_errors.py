@@ -305,6 +305,7 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (SCIPY.binary_fill_holes, [ONE], {"output": np.empty(3, bool)}, RuntimeError, "(3,)"),
     (SCIPY.distance_transform_edt, [ONE], {"return_indices": True}, NotImplementedError, "scipy"),
     (SCIPY.distance_transform_edt, [ONE, (1, 2, 3)], {}, RuntimeError, "(1, 2, 3)"),
+    (SCIPY.distance_transform_edt, [ONE], {"sampling": -2}, ValueError, "spacing"),
     (SCIPY.distance_transform_edt, [ONE], {"return_distances": False}, RuntimeError, "False"),
     (SCIPY.distance_transform_edt, [ONE], {"distances": ONE}, RuntimeError, "uint8"),
 ])
