@@ -6,9 +6,13 @@ from __future__ import annotations
 import os
 import re
 import signal
+import sys
 from collections.abc import Generator
+from pathlib import Path
 
 import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for the packages `report` and `tests`
 
 MISSING = re.compile(r"could not import|not installed|is not there|no programs in|mounting needs|only for root")
 

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from collections import defaultdict
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-# pylint: disable=wrong-import-position
-from tests.coverage.run import (  # noqa: E402
+from tests.coverage.run import (
     FileCoverage, explanations, gaps, is_for_compilers, parse_branches, parse_lcov, summary)
 
 NAME = "kernels/api/edges.cpp"

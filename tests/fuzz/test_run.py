@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-# pylint: disable=wrong-import-position
-from tests.fuzz import run  # noqa: E402
+from tests.fuzz import run
 
 QUIET = """#!/bin/sh
 echo '#2\tINITED cov: 3 ft: 4'

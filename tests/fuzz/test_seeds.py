@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-# pylint: disable=wrong-import-position
-from tests.fuzz import seeds  # noqa: E402
+from tests.fuzz import seeds
 
 
 def test_added_files_are_sorted_lines_and_are_unpacked(tmp_path: Path) -> None:

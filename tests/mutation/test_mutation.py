@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-# pylint: disable=wrong-import-position
-import run  # noqa: E402
-from choice import (Candidate, Equivalents, Result, candidates, read_equivalents,  # noqa: E402
+import run
+from choice import (Candidate, Equivalents, Result, candidates, read_equivalents,
                     stale, to_try)
-from families import FAMILIES, Family  # noqa: E402
-from operators import Mutation, mutations  # noqa: E402
-from run import EQUIVALENTS, KERNELS, main, report  # noqa: E402
-from trial import Build, Trial  # noqa: E402
+from families import FAMILIES, Family
+from operators import Mutation, mutations
+from run import EQUIVALENTS, KERNELS, main, report
+from trial import Build, Trial
 
 RULES = candidates(FAMILIES[0], KERNELS, 1)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import fields, replace
 from pathlib import Path
 
@@ -10,9 +9,7 @@ import pytest
 
 import thinbench
 
-ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(thinbench.__file__).resolve().parents[2] / "bin" / "thinbench"
-sys.path.insert(0, str(ROOT))
 
 pytest.importorskip("distributed")
 pytest.importorskip("skimage")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,15 +13,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
+import fake_programs
+from report.__main__ import main
+from report.files import to_json, write_files
+from report.measure.sampler import Json, Process, Samples
+from report.measure.timings import Row, to_csv
 
-# pylint: disable=wrong-import-position
-import fake_programs  # noqa: E402
-from report.__main__ import main  # noqa: E402
-from report.files import to_json, write_files  # noqa: E402
-from report.measure.sampler import Json, Process, Samples  # noqa: E402
-from report.measure.timings import Row, to_csv  # noqa: E402
+ROOT = Path(__file__).resolve().parents[2]
 
 MACHINE: dict[str, Any] = fake_programs.MACHINE | {"isa_available": ["baseline", "avx2", "avx512"]}
 
