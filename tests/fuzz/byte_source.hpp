@@ -97,4 +97,7 @@ class ByteSource {
   std::span<const std::uint8_t> bytes_;
 };
 
+/// What a target does with an input: the program ends unless all is as it should be.
+void try_input(ByteSource& input);
+
 }  // namespace thinbench

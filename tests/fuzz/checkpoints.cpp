@@ -32,13 +32,12 @@ void save_and_load(const MemoryFile& file, ByteSource input) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace thinbench;
+void try_input(ByteSource& input) {
   static const MemoryFile file;
-  file.hold({data, size});
+  file.hold(ByteSource(input).take(SIZE_MAX));
   load(file);
-  save_and_load(file, ByteSource(data, size));
-  return 0;
+  save_and_load(file, input);
 }
+
+}  // namespace thinbench

@@ -73,13 +73,11 @@ void check(ByteSource& input, const DrawnRule& drawn, const Rule& rule) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace thinbench;
-  ByteSource input(data, size);
+void try_input(ByteSource& input) {
   const DrawnRule drawn = draw_rule(input);
   const Rule rule(drawn.tables, drawn.options);
   for (int i = 0; i < 20 && !input.is_empty(); ++i) check(input, drawn, rule);
-  return 0;
 }
+
+}  // namespace thinbench

@@ -24,11 +24,11 @@ void read_all(const std::string& path) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const thinbench::MemoryFile file;
-  file.hold({data, size});
-  thinbench::read_all(file.path());
-  return 0;
+void try_input(ByteSource& input) {
+  static const MemoryFile file;
+  file.hold(input.take(SIZE_MAX));
+  read_all(file.path());
 }
+
+}  // namespace thinbench

@@ -17,12 +17,10 @@ void read(std::string_view text, ManifestFormat format) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace thinbench;
-  ByteSource input(data, size);
+void try_input(ByteSource& input) {
   const ManifestFormat format = input.once_in(2) ? ManifestFormat::csv : ManifestFormat::json_lines;
   must_succeed_or_explain<std::runtime_error>([&] { read(input.rest(), format); });
-  return 0;
 }
+
+}  // namespace thinbench

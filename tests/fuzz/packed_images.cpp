@@ -37,15 +37,14 @@ void read_tiff_rows(const std::string& path) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const thinbench::MemoryFile file;
-  file.hold({data, size});
-  thinbench::must_succeed_or_explain<thinbench::FileError>(
-      [] { thinbench::read_pbm(file.path()); });
-  if (size == 0) return 0;
-  thinbench::must_succeed_or_explain<thinbench::FileError>(
-      [] { thinbench::read_tiff_rows(file.path()); });
-  return 0;
+void try_input(ByteSource& input) {
+  static const MemoryFile file;
+  const bool is_empty = input.is_empty();
+  file.hold(input.take(SIZE_MAX));
+  must_succeed_or_explain<FileError>([] { read_pbm(file.path()); });
+  if (is_empty) return;
+  must_succeed_or_explain<FileError>([] { read_tiff_rows(file.path()); });
 }
+
+}  // namespace thinbench

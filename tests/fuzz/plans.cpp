@@ -5,10 +5,11 @@
 #include "byte_source.hpp"
 #include "measure/plan_json.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace thinbench;
+namespace thinbench {
+
+void try_input(ByteSource& input) {
   must_succeed_or_explain<std::runtime_error>([&] {
-    const Plan plan = plan_from_json(std::string(data, data + size));
+    const Plan plan = plan_from_json(input.rest());
     for (const Group& group : plan.groups) {
       must(group.layouts > 0, "no layout");
       for (const Entry& entry : group.entries) {
@@ -17,5 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
     }
   });
-  return 0;
 }
+
+}  // namespace thinbench

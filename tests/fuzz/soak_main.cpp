@@ -15,8 +15,6 @@
 
 #include "drawn_image.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -34,7 +32,8 @@ void feed(Soak& soak, std::uint64_t seed) {
   while (!soak.ended) {
     bytes.resize(random() % 4096);
     std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
-    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    thinbench::ByteSource input(bytes.data(), bytes.size());
+    thinbench::try_input(input);
     ++soak.inputs;
   }
 }

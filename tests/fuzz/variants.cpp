@@ -52,7 +52,9 @@ void check_job(ByteSource& input, const Operation& operation, Job& job, const By
   images.must_be_intact();
 }
 
-void check_variant(ByteSource& input) {
+}  // namespace
+
+void try_input(ByteSource& input) {
   static const std::vector<Operation> operations = make_operations();
   const Operation& operation =
       operations[static_cast<std::size_t>(input.number(0, std::ssize(operations) - 1))];
@@ -69,11 +71,4 @@ void check_variant(ByteSource& input) {
             row_name(operation.name, variant.technique, variant.isa_label(), threads));
 }
 
-}  // namespace
 }  // namespace thinbench
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  thinbench::ByteSource input(data, size);
-  thinbench::check_variant(input);
-  return 0;
-}

@@ -31,11 +31,9 @@ void read(const std::string& text) {
 }
 
 }  // namespace
-}  // namespace thinbench
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  thinbench::must_succeed_or_explain<std::runtime_error>([&] {
-    thinbench::read({data, data + size});
-  });
-  return 0;
+void try_input(ByteSource& input) {
+  must_succeed_or_explain<std::runtime_error>([&] { read(input.rest()); });
 }
+
+}  // namespace thinbench
