@@ -57,7 +57,8 @@ class Search {
     }
     throw std::invalid_argument("no path from " + text_of(request_.start) + " to " +
                                 text_of(request_.goal) + " is " +
-                                detail::number_text(request_.width) + " pixels wide");
+                                detail::number_text(request_.width) +
+                                (request_.width == 1 ? " pixel wide" : " pixels wide"));
   }
 
  private:

@@ -215,6 +215,9 @@ TEST_F(BatchFailures, words_that_cannot_be_done_are_rejected_before_anything_is_
   const std::string replaces = "the result of 'in/40.png' would replace the input 'in/40.png'";
   expect_rejected({
       {2, "batch thin_guo_hal in --out out", {"'thin_guo_hal'; did you mean 'thin_guo_hall'?"}},
+      {2, "batch fill-holes in --out out", {"no operation is named 'fill-holes'; known: holes, "}},
+      {2, "batch edges_sobl in --out out", {"'edges_sobl'; did you mean 'edges_sobel'?"}},
+      {2, "batch holes in --out out --null", {"--null needs - as IN"}},
       {2, "batch holes in --out out --border keep", {"holes has no option --border"}},
       {2, "batch guo_hall in --out out --p1 3", {"has no option --gradient-threshold"}},
       {2, "batch graph in --out out --min-area 3", {"graph has no option --min-area"}},

@@ -156,15 +156,20 @@ TEST_F(GraphCommand, rejects_options_with_what_was_given) {
                      {"--spacing: expected one or two numbers", "got '" + spacing}});
   }
   for (const std::string options :
-       {"--transform 1,2,3", "--transform 1,2,3,4,5,nan", "--transform 1,2,3,4,5,6,7",
-        "--overlay graph.jpg", "--prune -1", "--tolerance nan", "--thinning thick",
-        "--out skeleton.svg"}) {
+       {"--transform 1,2,3 --geojson g", "--transform 1,2,3,4,5,nan --geojson g",
+        "--transform 1,2,3,4,5,6,7 --geojson g", "--overlay graph.jpg", "--prune -1",
+        "--tolerance nan", "--thinning thick", "--out skeleton.svg"}) {
     expect_rejected({2, "graph in.png " + options, {words_of(options)[1]}});
   }
   const std::string known = "; known are .svg, .png, .bmp, .tif and .tiff";
   expect_rejected({2, "graph in.png --overlay a.pgm", {"PGM holds no colours" + known}});
   write_grey("small.png", ByteImage(3, 4).view());
-  expect_rejected({1, "graph in.png --image small.png", {"expected 12 x 8 pixels"}});
+  expect_rejected({
+      {1, "graph in.png --image small.png", {"expected 12 x 8 pixels"}},
+      {2, "graph in.png --transform 1,0,0,0,1,0", {"--geojson"}},
+      {1, "graph in.png --node 0,1", {"in.png: --node 0,1 is not on the skeleton"}},
+      {1, "graph in.png --node 12,1", {"in.png: --node 12,1 is not on the skeleton"}},
+  });
 }
 
 TEST_F(GraphCommand, rejects_files_that_would_replace_each_other) {

@@ -136,7 +136,7 @@ TEST_F(GraphLabelsCommand, what_does_not_fit_is_one_line) {
       {2, graph + "--out a.bmp", {"BMP holds no 16 bits; known are .png, .pgm, .tif and .tiff"}},
       {2, graph + "--summary in.png", {"read or written as another file"}},
       {2, graph + "--node 1;2", {"--node: expected X,Y such as 120,45, got '1;2'"}},
-      {1, graph + "--node 0,0", {"expected pixels of the skeleton, got row 0, column 0"}},
+      {1, graph + "--node 0,0", {"in.png: --node 0,0 is not on the skeleton"}},
       {2, graph + "--open-cycles -1", {"--open-cycles"}},
   });
 }

@@ -35,7 +35,7 @@ TEST_F(PackedRun, thins_pbm_in_memory) {
 TEST_F(PackedRun, thins_pbm_out_of_core) {
   const std::string text =
       output_of("run thin_mb2 in.pbm out.pbm --out-of-core --memory 1M --threads 8 --border keep");
-  const std::regex lines(R"(thin_mb2/out-of-core/8: 1203 x 900, \d+ iterations, \d+ foreground )"
+  const std::regex lines(R"(thin_mb2: 1203 x 900, \d+ iterations, \d+ foreground )"
                          R"(pixels before, \d+ after, \d+\.\d{3} ms\n)"
                          R"(\d+ tiles of \d+ x \d+ in \d+ passes\n)");
   EXPECT_TRUE(std::regex_match(text, lines)) << text;
@@ -56,7 +56,7 @@ TEST_F(PackedRun, thins_raw_bits_in_both_orders_in_memory_and_out_of_core) {
 }
 
 TEST_F(PackedRun, files_of_other_formats_are_rejected) {
-  const std::string kind = "it is not a binary PBM file (P4)";
+  const std::string kind = "it is not a binary PBM file (P4), as OUT requires";
   const std::string damaged = "its PBM header is damaged";
   const std::string size = "; expected 1 to 2^40 pixels";
   for (const auto& [bytes, reason] : std::vector<std::pair<std::string, std::string>>{
@@ -67,7 +67,7 @@ TEST_F(PackedRun, files_of_other_formats_are_rejected) {
            {"P4 12 -3\n", "its size is 12 x -3" + size},
            {"P4 0 3\n", "its size is 0 x 3" + size},
            {"P4 9999999999 9999999999\n", "its size is 9999999999 x 9999999999" + size},
-           {"P4 12 3\n12345", "it has 13 bytes; 12 x 3 pixels take 14"}}) {
+           {"P4 12 3\n12345", "it has 13 bytes; its header and 12 x 3 pixels take 14"}}) {
     put("bad.pbm", bytes);
     expect_rejected({1, "run thin_guo_hall bad.pbm out.pbm", {"cannot read 'bad.pbm': " + reason}});
   }
@@ -80,7 +80,7 @@ TEST_F(PackedRun, what_does_not_apply_to_packed_files_is_rejected) {
       {1, "run thin_guo_hall absent.pbm out.pbm", {"'absent.pbm': there is no such file"}},
       {2, run + "--foreground dark", {"--foreground" + grey}},
       {2, run + "--threshold 12", {"--threshold" + grey}},
-      {2, run + "--raw 12x", {"--raw: expected WIDTHxHEIGHT of at most 2^40 pixels, got '12x'"}},
+      {2, run + "--raw 12x", {"--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '12x'"}},
       {2, run + "--memory 1G", {"--out-of-core"}},
       {2, run + "--resume", {"--out-of-core"}},
       {2, run + "--bit-order lsb", {"--raw"}},
@@ -92,7 +92,7 @@ TEST_F(PackedRun, what_does_not_apply_to_packed_files_is_rejected) {
   for (const std::string memory : {"0", "1023K", "12Q", "M", "99999999999T"}) {
     expect_rejected({2,
                      run + "--out-of-core --memory " + memory,
-                     {"--memory: expected a number of bytes from 1M", "got '" + memory + "'"}});
+                     {"--memory: expected 1M to 1048576T bytes", "got '" + memory + "'"}});
   }
 }
 

@@ -96,7 +96,11 @@ TEST_F(PackedTiff, what_does_not_run_out_of_core_is_rejected) {
   const ByteImage large = noise_image(4000, 4000, 50, 1, 3);
   write_tiff("large.tif", large.view(),
              {COMPRESSION_LZW, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, 4000});
+  put("in.pbm", "P4 8 1 1");
   expect_rejected({
+      {1,
+       "run thin_guo_hall in.pbm out.tif --out-of-core",
+       {"cannot read 'in.pbm': it is not a TIFF file, as OUT requires"}},
       {1,
        "run thin_guo_hall tiled.tif out.tif --out-of-core",
        {"cannot read 'tiled.tif': it is not a TIFF image of 1 bit per pixel in strips"}},

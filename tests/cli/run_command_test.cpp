@@ -103,6 +103,19 @@ TEST_F(RunCommand, weights_from_a_file_make_the_net) {
   expect_skeleton(bright(61));
 }
 
+TEST_F(RunCommand, a_file_of_several_pages_is_not_replaced_by_one_page) {
+  std::vector<ByteImage> pages;
+  for (int i = 0; i < 2; ++i) pages.push_back(bright(61));
+  write_grey_pages("in.tif", pages);
+  for (const std::string command : {"run thin_guo_hall", "edges", "fill-holes", "graph --out"}) {
+    const bool names_out = command == "graph --out";
+    expect_rejected({2,
+                     names_out ? "graph in.tif --out ./in.tif" : command + " in.tif ./in.tif",
+                     {"'./in.tif' has 2 pages, of which one would remain"}});
+  }
+  output_of("run thin_guo_hall in.tif out.tif");
+}
+
 TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
   const std::string guo_hall = "run thin_guo_hall in.png out.png ";
   const std::string scan = "run skeleton_scan in.png out.png --directions ";
@@ -120,6 +133,8 @@ TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
        "run net_two_layer_linear in.png out.png --weights weights.json",
        {"weights.json", "net_two_layer_linear needs two_layer"}},
       {2, scan + "rows,colums", {"'colums'", "'columns'?"}},
+      {2, scan + "rows,rows", {"'rows,rows' names rows twice"}},
+      {2, "run skeleton_scan in.png out.png --max-iterations 3", {"has no iterations"}},
   });
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
     expect_rejected({2, scan + list, {"'" + list + "' has an empty name; known: rows"}});

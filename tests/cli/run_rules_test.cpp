@@ -55,7 +55,7 @@ TEST_F(RunRules, every_border_applies_to_rules_of_every_kind) {
     for (const Border border : {Border::background, Border::keep, Border::foreground}) {
       const std::string words = name + " --border " + std::string(border_name(border));
       if (border == Border::foreground && Rule::named(name).sub_iterations().empty()) {
-        expect_rejected({1,
+        expect_rejected({2,
                          "run " + words + " in.png no.png",
                          {name + ": border: expected background or keep, got foreground"}});
         continue;
@@ -89,8 +89,9 @@ TEST_F(RunRules, names_notations_and_files_that_are_no_rules_are_rejected) {
       {2, "run wxyz in.png out.png", {"'wxyz'; known: thin_naccache_shinghal, "}},
       {2, "run B9/S23 in.png out.png", {"'B9/S23', column 2", "digit from 0 to 8, got '9'"}},
       {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},
-      {1, "run B3/S23 in.png out.png", {"B3/S23" + limit + "max_iterations"}},
-      {1, "run life.json in.png out.png", {"life" + limit + "max_iterations"}},
+      {2, "run B3/S23 in.png out.png", {"B3/S23" + limit + "--max-iterations"}},
+      {2, "run life.json in.png out.png", {"life" + limit + "--max-iterations"}},
+      {2, "run thin_mb2 in.png out.png --border foreground", {"expected background or keep"}},
       {1, "run absent.json in.png out.png", {"cannot read 'absent.json': there is no such file"}},
       {1, "run huge.json in.png out.png", {"it has more than 1,000,000 bytes"}},
       {1, "run wrong.json in.png out.png", {"wrong.json: hensel is invalid", "column 5"}},

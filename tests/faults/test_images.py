@@ -266,6 +266,7 @@ def save_one_strip(path: Path) -> None:
 LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
     "large.png": (save(parts(SIDE, SIDE), compress_level=1), 0),
     "large.jpg": (save(parts(SIDE, SIDE)), 0),
+    "colour.png": (save(parts(SIDE, SIDE).convert("RGB"), compress_level=1), 3),
     "large.pgm": (save(parts(SIDE, SIDE)), 0),
     "large.tif": (save(parts(SIDE, SIDE)), 0),
     "one strip.tif": (save_one_strip, 4),

@@ -82,9 +82,26 @@ TEST_F(ReadGrey, keeps_every_pixel_in_8_and_16_bits_and_jpeg_nearly) {
   }
 }
 
-TEST_F(ReadGrey, colours_become_grey_and_transparency_is_left_out) {
+TEST_F(ReadGrey, transparency_is_left_out) {
   write_by_opencv("a.png", cv::Mat(2, 3, CV_8UC4, cv::Scalar(77, 77, 77, 0)));
   EXPECT_EQ(read_grey("a.png").at(2, 1), 77);
+}
+
+TEST_F(ReadGrey, colours_become_the_same_grey_in_every_format) {
+  cv::Mat colours(16, 256, CV_8UC3);
+  cv::theRNG().state = 1;
+  cv::randu(colours, 0, 256);
+  for (const std::string name : {"a.png", "a.ppm", "a.bmp", "a.tif"}) {
+    write_by_opencv(name, colours);
+    const ByteImage grey = read_grey(name);
+    for (int y = 0; y < colours.rows; ++y) {
+      for (int x = 0; x < colours.cols; ++x) {
+        const auto& p = colours.at<cv::Vec3b>(y, x);  // blue, green, red
+        const double exact = 0.299 * p[2] + 0.587 * p[1] + 0.114 * p[0];
+        ASSERT_NEAR(grey.at(x, y), exact, 0.51) << name << ' ' << x << ' ' << y;
+      }
+    }
+  }
 }
 
 TEST_F(ReadGrey, what_is_no_image_is_rejected_with_the_reason) {

@@ -151,6 +151,21 @@ void check_outputs(const std::vector<std::string>& inputs,
   }
 }
 
+void check_streams(bool json, const std::vector<std::string>& images) {
+  if (!json || std::ranges::count(images, kStandardStream) == 0) return;
+  throw UsageError("--json is printed on standard output, so an image needs the name of a file");
+}
+
+void check_replaced(const std::string& in, const std::string& out) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(in, out, ignored)) return;
+  const int pages = page_count(in);
+  if (pages == 1) return;
+  throw UsageError(fmt::format(
+      "'{}' has {} pages, of which one would remain; give OUT another name, or use 'batch'", out,
+      pages));
+}
+
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
   app.add_option_function<std::string>(
          "--isa", [&isa](const std::string& name) { isa = isa_named(name); },
@@ -219,7 +234,8 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
   CLI::Option* const window =
       app.add_option_function<std::string>(
              "--window", set("--window", &LocalThreshold::window),
-             "Side of the window, odd, 3 to 65535 (default: an eighth of the smaller side)")
+             "Side of the window, odd, 3 to 65535 (default: an eighth of the "
+             "smaller side, at least 15)")
           ->check(odd_number(3, 65535))
           ->type_name("N");
   CLI::Option* const offset =

@@ -51,6 +51,12 @@ void add_spacing_option(CLI::App& app, Spacing& spacing);
 /// be written. "" and "-" are no files.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
+/// Throws UsageError where JSON and an image would both go to standard output.
+void check_streams(bool json, const std::vector<std::string>& images);
+
+/// Throws UsageError where OUT, of one page, would replace IN, of several.
+void check_replaced(const std::string& in, const std::string& out);
+
 /// The image that a command reads.
 void add_input(CLI::App& app, std::string& in);
 

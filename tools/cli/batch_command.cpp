@@ -64,18 +64,14 @@ std::string manifest_path(const BatchOptions& options, const Shard& shard) {
   return std::filesystem::path(options.settings.out) / name_for(shard, "manifest.csv");
 }
 
-std::string number_of(std::size_t count, const std::string& what, const std::string& plural) {
-  return fmt::format("{} {}", count, count == 1 ? what : plural);
-}
-
 void print_skipped(const FoundInputs& found, const std::string& out, std::ostream& log) {
   if (found.skipped_out) log << "note: skipped '" << out << "', the directory of the results\n";
   if (found.skipped_files > 0) {
-    log << "note: skipped " << number_of(found.skipped_files, "file", "files")
+    log << "note: skipped " << counted(found.skipped_files, "file")
         << ", hidden or without the extension of an image format\n";
   }
   if (found.skipped_directories > 0) {
-    log << "note: skipped " << number_of(found.skipped_directories, "directory", "directories")
+    log << "note: skipped " << counted(found.skipped_directories, "directory", "directories")
         << "; --recursive searches all but links and --out\n";
   }
 }
@@ -90,7 +86,7 @@ std::vector<BatchJob> open_jobs(const std::vector<BatchJob>& jobs, const Manifes
 
 void print_failures(const std::vector<std::string>& failures, std::ostream& log) {
   if (failures.empty()) return;
-  log << fmt::format("{}:\n", number_of(failures.size(), "failure", "failures"));
+  log << fmt::format("{}:\n", counted(failures.size(), "failure"));
   for (const std::string& failure : failures) log << "  " << one_line(failure) << '\n';
 }
 
@@ -106,17 +102,17 @@ void print_summary(const BatchOperation& operation, const BatchOutcome& outcome,
   const double all =
       std::max(1e-9, totals.decode_seconds + totals.compute_seconds + totals.encode_seconds);
   out << fmt::format("{}: {} done, {} failed, {} done before; {:.1f} s, {:.0f} images/s",
-                     one_line(operation.name), number_of(totals.done, "image", "images"),
+                     one_line(operation.name), counted(totals.done, "image"),
                      totals.failures.size(), outcome.skipped, outcome.seconds,
                      static_cast<double>(totals.done) / std::max(outcome.seconds, 1e-9));
   out << fmt::format("; decoding {:.1f} %, computing {:.1f} %, encoding {:.1f} %\n",
                      100 * totals.decode_seconds / all, 100 * totals.compute_seconds / all,
                      100 * totals.encode_seconds / all);
   if (totals.not_started > 0) {
-    out << number_of(totals.not_started, "result was", "results were") << " not started\n";
+    out << counted(totals.not_started, "result was", "results were") << " not started\n";
   }
   if (totals.with_warning > 0) {
-    out << number_of(totals.with_warning, "image has a warning", "images have warnings")
+    out << counted(totals.with_warning, "image has a warning", "images have warnings")
         << " in the manifest\n";
   }
 }
@@ -161,6 +157,9 @@ int run(const BatchOptions& options, const Console& console) {
   const std::string table =
       options.operation.table.empty() ? "" : name_for(shard, options.operation.table);
   if (!table.empty()) static_cast<void>(table_format(table));
+  if (options.inputs.null_separated && std::ranges::count(options.inputs.in, "-") == 0) {
+    throw UsageError("--null needs - as IN, a list on standard input");
+  }
   FoundInputs found = find_inputs(options.inputs, std::cin);
   if (found.inputs.empty() && found.failures.empty()) {
     throw std::runtime_error("there is no image file in what was named");

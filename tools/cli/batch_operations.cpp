@@ -75,7 +75,12 @@ class ThinningCompute {
 };
 
 BatchOperation thinning_operation(const BatchOperationRequest& request) {
-  const RequestedThinning thinning = requested_thinning(request.thinning);
+  ThinningRequest words = request.thinning;
+  words.other_operations = {kHoles, kEdges, kLocalise, kGraph};
+  for (const EdgeOperatorInfo& info : kEdgeOperators)
+    words.other_operations.push_back(info.operation);
+  const RequestedThinning thinning = requested_thinning(words);
+  check_options(thinning);
   return {thinning.name + thinning_words(request.thinning) + thinning.contents,
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
@@ -156,7 +161,7 @@ BatchOperation graph_operation(const BatchOperationRequest& request) {
 
 bool makes_edges(const BatchOperationRequest& request) {
   const std::string& name = request.thinning.rule;
-  return name == kEdges || (name.rfind("edges_", 0) == 0 && edge_operator_from_name(name));
+  return name == kEdges || (name.starts_with("edges_") && edge_operator_from_name(name));
 }
 
 bool makes_regions(const BatchOperationRequest& request) {

@@ -35,6 +35,7 @@ EdgeOperator operator_named(const std::string& name) {
 int run(const EdgesOptions& options, const Console& console) {
   const EdgeOperator op = operator_named(options.op);
   check_extension(options.out);
+  check_replaced(options.in, options.out);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
@@ -46,9 +47,9 @@ int run(const EdgesOptions& options, const Console& console) {
       [&] { detect_edges(op, grey.view(), edges.view(), thresholds, options.execution); });
   write_grey(options.out, edges.view());
   console.err << remarks.str();
-  summary_stream(console, options.out)
-      << fmt::format("{}: {} x {}, {} edge pixels, {:.3f} ms\n", edge_operator_info(op).operation,
-                     grey.width(), grey.height(), foreground_pixels(edges.view()), milliseconds);
+  summary_stream(console, options.out) << fmt::format(
+      "{}: {} x {}, {}, {:.3f} ms\n", edge_operator_info(op).operation, grey.width(), grey.height(),
+      counted(foreground_pixels(edges.view()), "edge pixel"), milliseconds);
   return kSuccess;
 }
 

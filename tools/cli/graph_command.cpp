@@ -59,6 +59,8 @@ void check_names(const GraphCommandOptions& options) {
     (options.has_labels ? check_deep_extension : check_extension)(options.out);
   }
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);
+  check_streams(options.json, {options.out, options.overlay});
+  check_replaced(options.in, options.out);
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }
@@ -206,16 +208,17 @@ int run(const GraphCommandOptions& given, const Console& console) {
 
 void add_files(CLI::App& app, GraphCommandOptions& options) {
   const auto add = [&app](const char* name, std::string& path, const char* what) {
-    app.add_option(name, path, what)->check(file_name())->type_name("FILE");
+    return app.add_option(name, path, what)->check(file_name())->type_name("FILE");
   };
   app.add_flag("--json", options.json, "Print JSON");
   add("--csv", options.csv, "Table of edges to write");
   add("--summary", options.summary,
       "Table of edges to write, with the columns of skan's summarize");
-  add("--geojson", options.geojson, "GeoJSON file to write");
+  CLI::Option* const geojson = add("--geojson", options.geojson, "GeoJSON file to write");
   app.add_option("--transform", options.transform,
                  "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F (default: by the "
                  "spacing, DX,0,0,0,DY,0)")
+      ->needs(geojson)
       ->type_name("NUMBERS");
   add_overlay_option(app, options.overlay);
   app.add_option("--out", options.out,

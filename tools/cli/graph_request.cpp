@@ -26,6 +26,15 @@ RequestedThinning thinning_of(const GraphRequest& request) {
   return requested_thinning(thinning);
 }
 
+/// The nodes to make lie on the pruned skeleton.
+template <class T>
+void check_nodes(const View<T>& skeleton, const ImagePage& page, const GraphRequest& request) {
+  for (const auto [x, y] : request.nodes) {
+    if (x < skeleton.width && y < skeleton.height && skeleton.row(y)[x] != 0) continue;
+    throw FileError(fmt::format("{}: --node {},{} is not on the skeleton", page.file, x, y));
+  }
+}
+
 /// What the request wants to know of a pruned graph.
 FoundGraph described(Graph graph, const View<double>& distances, const ImagePage& page,
                      const GraphRequest& request) {
@@ -109,7 +118,10 @@ void check_graph_size(const std::string& file, Index width, Index height) {
 }
 
 std::string checked_thinning(const GraphRequest& request) {
-  return request.is_skeleton() ? std::string() : thinning_of(request).contents;
+  if (request.is_skeleton()) return {};
+  const RequestedThinning thinning = thinning_of(request);
+  check_options(thinning);
+  return thinning.contents;
 }
 
 ByteImage skeleton_of(const ByteImage& image, const GraphRequest& request) {
@@ -137,8 +149,9 @@ FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton, const ImagePa
   const View<double> of_image(numbers.data(), width, height);
   distances(image.view(), of_image, pruning.spacing, execution);
   pruning.distances = of_image;
-  return described(prune(skeleton.view(), skeleton.view(), pruning, execution), of_image, page,
-                   request);
+  Graph pruned = prune(skeleton.view(), skeleton.view(), pruning, execution);
+  check_nodes(skeleton.view(), page, request);
+  return described(std::move(pruned), of_image, page, request);
 }
 
 LabelPixels skeletons_of(const LabelPixels& objects, const GraphRequest& request) {
@@ -159,6 +172,7 @@ FoundGraph find_graphs(const LabelPixels& objects, LabelPixels& skeletons, const
   label_distances(objects.view(), of_objects, pruning.spacing, execution);
   pruning.distances = of_objects;
   LabelGraph pruned = prune_labels(skeletons.view(), skeletons.view(), pruning, execution);
+  check_nodes(skeletons.view(), page, request);
   FoundGraph found = described(std::move(pruned.graph), of_objects, page, request);
   for (const GraphNode& node : found.graph.nodes) {
     const Pixel first = found.graph.pixels_of(node).front();

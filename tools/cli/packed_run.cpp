@@ -45,8 +45,7 @@ PackedFormat raw_format(const PackedOptions& options) {
   const std::optional<Index> height = take_number(text);
   if (!width || !has_x || !height || !text.empty() || *width > max_side ||
       *height > max_side / *width) {
-    throw UsageError("--raw: expected WIDTHxHEIGHT of at most 2^40 pixels, got '" + options.raw +
-                     "'");
+    throw UsageError("--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '" + options.raw + "'");
   }
   return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first};
 }
@@ -61,8 +60,8 @@ Index bytes_of(const std::string& given) {
   const int shift = has_unit ? static_cast<int>(10 * (unit + 1)) : 0;
   if (!number || !(text.empty() || has_unit) || *number > (Index{1} << 60) >> shift ||
       *number << shift < kMinMemory) {
-    throw UsageError("--memory: expected a number of bytes from 1M, such as 256M or 4G, got '" +
-                     given + "'");
+    throw UsageError("--memory: expected 1M to 1048576T bytes, such as 256M or 4G, got '" + given +
+                     "'");
   }
   return *number << shift;
 }
@@ -115,11 +114,10 @@ int thin_out_of_core(const PackedOptions& options, const RequestedThinning& thin
                               result.foreground_before,
                               result.foreground_after,
                               milliseconds};
-  console.out << fmt::format("{}/out-of-core/{}: {}\n", thinning.name, thinning.execution.threads,
-                             text_of(summary))
-              << fmt::format("{} tile{} of {} x {} in {} pass{}\n", tiling.count(),
-                             tiling.count() == 1 ? "" : "s", tiling.tile_width, tiling.tile_height,
-                             result.passes, result.passes == 1 ? "" : "es");
+  console.out << fmt::format("{}: {}\n", thinning.name, text_of(summary))
+              << fmt::format("{} of {} x {} in {}\n", counted(tiling.count(), "tile"),
+                             tiling.tile_width, tiling.tile_height,
+                             counted(result.passes, "pass", "passes"));
   return kSuccess;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "images/image_file.hpp"
 #include "images/packed_file.hpp"
 #include "images/tiff_file.hpp"
 #include "support/text.hpp"
@@ -90,6 +91,8 @@ int run_out_of_core(const PackedOptions& options, const RequestedThinning& thinn
   BinariseOptions levels = binarise;
   levels.foreground = Foreground::automatic;
   reject_for_packed_files(levels);
+  check_file(files.in);
+  if (!is_tiff(files.in)) cannot_read(files.in, "it is not a TIFF file, as OUT requires");
   TiffFormat format;
   {
     const TiffReader reader(files.in);

@@ -13,6 +13,7 @@
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "images/overlay.hpp"
+#include "support/text.hpp"
 #include "thinbench/path.hpp"
 
 namespace thinbench {
@@ -58,6 +59,7 @@ int run(const PathOptions& options, const Console& console) {
   const PathRequest request = {pixel_from("--start", options.start),
                                pixel_from("--goal", options.goal), options.width};
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);
+  check_streams(options.json, {options.overlay});
   check_outputs({options.in}, {options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
@@ -67,16 +69,17 @@ int run(const PathOptions& options, const Console& console) {
   try {
     path = find_path(map.image.view(), request, options.execution);
   } catch (const std::invalid_argument& error) {
-    throw FileError(options.in + ": " + error.what());
+    throw FileError(options.in + ": " + error.what() + "; free space is " + class_text(map));
   }
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), path_overlay(path.pixels, options.width));
   }
   console.err << remarks.str();
   summary_stream(console, options.overlay)
-      << (options.json ? path_json(options, map.image, path)
-                       : fmt::format("path: {} pixels, length {:.2f}, min width {:.2f}\n",
-                                     path.pixels.size(), path.length, path.min_width));
+      << (options.json
+              ? path_json(options, map.image, path)
+              : fmt::format("path: {}, length {:.2f}, min width {:.2f}\n",
+                            counted(path.pixels.size(), "pixel"), path.length, path.min_width));
   return kSuccess;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/regions.hpp"
@@ -35,6 +36,7 @@ struct PixelOptions {
 using Compute = std::function<std::string(ByteImage image, const PixelOptions& options)>;
 
 int run(const PixelOptions& options, const Compute& compute, const Console& console) {
+  check_replaced(options.in, options.out);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage image = read_binary(options.in, options.binarise, &remarks);
   const std::string line = compute(std::move(image), options);
@@ -53,8 +55,8 @@ std::string filled(ByteImage image, const PixelOptions& options) {
   fill_holes(image.view(), image.view(), connectivity_of(options), options.max_area,
              options.execution);
   write_grey(options.out, image.view());
-  return fmt::format("fill-holes: {} x {}, {} foreground pixels before, {} after", image.width(),
-                     image.height(), before, foreground_pixels(image.view()));
+  return fmt::format("fill-holes: {} x {}, {} before, {} after", image.width(), image.height(),
+                     counted(before, "foreground pixel"), foreground_pixels(image.view()));
 }
 
 std::string euler(const ByteImage& image, const PixelOptions& options) {
@@ -84,8 +86,7 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
   }
   write_levels(options.out, labels, width, height,
                [](std::int32_t label) { return static_cast<std::uint16_t>(label); });
-  return fmt::format("labels: {} x {}, {} object{}", width, height, objects,
-                     objects == 1 ? "" : "s");
+  return fmt::format("labels: {} x {}, {}", width, height, counted(objects, "object"));
 }
 
 std::string distance_levels(const ByteImage& image, const PixelOptions& options) {
@@ -106,6 +107,11 @@ std::string distance_levels(const ByteImage& image, const PixelOptions& options)
     throw FileError(
         fmt::format("{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}",
                     options.in, kMaxLevel, greatest));
+  }
+  if (greatest > 0 && std::round(greatest) == 0) {
+    throw FileError(fmt::format(
+        "{}: the greatest distance is {:.6g}, so all become 0; give --spacing in a smaller unit",
+        options.in, greatest));
   }
   write_levels(options.out, found, width, height,
                [](double distance) { return static_cast<std::uint16_t>(std::lround(distance)); });

@@ -35,6 +35,7 @@ int run(RegionOptions options, const Console& console) {
   RegionRequest& request = options.request;
   request.draws = !options.overlay.empty();
   if (request.draws) check_overlay_extension(options.overlay);
+  check_streams(options.json, {options.overlay});
   check_outputs({options.in}, {options.csv, options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, request.binarise, remarks);

@@ -43,7 +43,9 @@ void reject_other_commands(const std::string& word) {
 
 int run(const RunOptions& options, const Console& console) {
   reject_other_commands(options.thinning.rule);
+  check_replaced(options.files.in, options.files.out);
   const RequestedThinning thinning = requested_thinning(options.thinning);
+  check_options(thinning);
   if (is_tiff_run(options.packed, options.binarise, options.files)) {
     return run_tiff(options.packed, thinning, options.binarise, options.files, console);
   }

@@ -2,6 +2,7 @@
 
 #include <climits>
 #include <filesystem>
+#include <regex>
 #include <variant>
 
 #include "cli/arguments.hpp"
@@ -13,6 +14,7 @@
 #include "support/regular_file.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -58,31 +60,34 @@ NamedValue rule_of_file(const std::string& path, bool optimise) {
 }
 
 /// Of a word that names nothing.
-[[noreturn]] void reject_rule(const std::string& word) {
-  std::vector<std::string_view> known;
+[[noreturn]] void reject_rule(const std::string& word, std::vector<std::string_view> known) {
+  const char* const kind = known.empty() ? "rule" : "operation";
   for (const RuleInfo& info : kRules) known.push_back(info.operation);
   for (const NamedRule& rule : named_rules()) known.push_back(rule.name);
-  reject_name("rule", word, known);
+  reject_name(kind, word, known);
 }
 
-NamedValue rule_of_name(const std::string& word, bool optimise) {
+NamedValue rule_of_name(const ThinningRequest& request) {
+  const std::string& word = request.rule;
+  const bool optimise = request.optimise;
   if (const auto built_in = rule_from_name(word)) {
     if (optimise) throw UsageError("--optimise: " + word + " is built in, not given by tables");
     return {std::string(rule_info(*built_in).operation), *built_in};
   }
   const NamedRule* const found = find_named_rule(word);
-  if (found == nullptr) reject_rule(word);
+  if (found == nullptr) reject_rule(word, request.other_operations);
   return {word,
           Rule(found->sub_iterations, {found->border, found->max_iterations, optimise, word})};
 }
 
-NamedValue rule_of_word(const std::string& word, bool optimise) {
+NamedValue rule_of_word(const ThinningRequest& request) {
+  const std::string& word = request.rule;
   const bool is_name = rule_from_name(word).has_value() || find_named_rule(word) != nullptr;
   if (!is_name && is_notation(word) && !word.ends_with(".json")) {
-    return rule_of_notation(word, optimise);
+    return rule_of_notation(word, request.optimise);
   }
-  if (!is_name && is_file(word)) return rule_of_file(word, optimise);
-  return rule_of_name(word, optimise);
+  if (!is_name && is_file(word)) return rule_of_file(word, request.optimise);
+  return rule_of_name(request);
 }
 
 /// The directions named in a list such as "rows,columns".
@@ -99,7 +104,11 @@ Directions directions_named(const NamedValue& rule, const std::string& list) {
       throw UsageError("--directions: '" + list + "' has an empty name; known: " +
                        enumeration({kDirectionNames.begin(), kDirectionNames.end()}));
     }
-    directions.add(direction_named(name));
+    const Direction direction = direction_named(name);
+    if (directions.has(direction)) {
+      throw UsageError("--directions: '" + list + "' names " + name + " twice");
+    }
+    directions.add(direction);
   }
   return directions;
 }
@@ -151,13 +160,26 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
 }
 
 RequestedThinning requested_thinning(const ThinningRequest& request) {
-  NamedValue rule = rule_of_word(request.rule, request.optimise);
+  NamedValue rule = rule_of_word(request);
   if (!request.weights.empty()) {
     rule.rule = net_from_file(rule, request.weights);
     rule.contents = contents_of(request.weights);
   }
   if (!request.directions.empty()) rule.rule = Rule(directions_named(rule, request.directions));
   return {rule.name, rule.contents, rule.rule, request.thinning, request.execution};
+}
+
+void check_options(const RequestedThinning& requested) {
+  const Thinning& thinning = requested.thinning;
+  if (thinning.max_iterations && requested.rule.name() == rule_name(Rule::midpoint_scan)) {
+    throw UsageError("--max-iterations: " + requested.name + " has no iterations");
+  }
+  try {
+    const Thinner on_one_pixel(requested.rule, 1, 1, thinning);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(
+        std::regex_replace(error.what(), std::regex("max_iterations"), "--max-iterations"));
+  }
 }
 
 std::string thinning_words(const ThinningRequest& request) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +20,7 @@ struct ThinningRequest {
   bool optimise = false;
   Thinning thinning;
   Execution execution;
+  std::vector<std::string_view> other_operations = {};  // what may be named as well, for messages
 };
 
 /// --weights, --border, --directions, --max-iterations and --optimise.
@@ -37,6 +40,9 @@ struct RequestedThinning {
 /// with .json. Throws UsageError and std::runtime_error for what does not apply to the rule or
 /// cannot be read.
 [[nodiscard]] RequestedThinning requested_thinning(const ThinningRequest& request);
+
+/// Throws UsageError where the rule cannot be applied with these options.
+void check_options(const RequestedThinning& requested);
 
 /// The options given that change results, each with a space before it: " --border keep".
 [[nodiscard]] std::string thinning_words(const ThinningRequest& request);

@@ -6,6 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "images/image_file.hpp"
+#include "support/text.hpp"
 #include "support/timing.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
@@ -35,9 +36,10 @@ std::string summary_of(const RequestedThinning& thinning, const View& image) {
 }  // namespace
 
 std::string text_of(const RunSummary& run) {
-  return fmt::format("{} x {}, {} iteration{}, {} foreground pixels before, {} after, {:.3f} ms",
-                     run.width, run.height, run.iterations, run.iterations == 1 ? "" : "s",
-                     run.foreground_before, run.foreground_after, run.milliseconds);
+  return fmt::format("{} x {}, {}, {} before, {} after, {:.3f} ms", run.width, run.height,
+                     counted(run.iterations, "iteration"),
+                     counted(run.foreground_before, "foreground pixel"), run.foreground_after,
+                     run.milliseconds);
 }
 
 std::string thin_image_file(const RequestedThinning& thinning, const ThinningFiles& files,

@@ -14,17 +14,6 @@
 namespace thinbench {
 namespace {
 
-/// "foreground is bright (grey level >= 108)".
-std::string description(const BinaryImage& binary) {
-  const bool is_bright = binary.foreground == Foreground::bright;
-  if (binary.window > 0) {
-    return fmt::format("foreground is {} (by the means of {} x {} pixels)",
-                       foreground_name(binary.foreground), binary.window, binary.window);
-  }
-  return fmt::format("foreground is {} (grey level {} {})", is_bright ? "bright" : "dark",
-                     is_bright ? ">=" : "<", binary.threshold);
-}
-
 const char* opposite(const BinaryImage& binary) {
   return binary.foreground == Foreground::bright ? "--foreground dark" : "--foreground bright";
 }
@@ -36,7 +25,8 @@ std::string note(const BinaryImage& binary, const BinariseOptions& options) {
   if (!options.threshold && !options.local && !binary.was_binary)
     overrides.push_back("--threshold N");
   if (is_as_read || binary.only_level || overrides.empty()) return {};
-  return fmt::format("{}; {} {} this", description(binary), fmt::join(overrides, " and "),
+  return fmt::format("foreground is {}; {} {} this", class_text(binary),
+                     fmt::join(overrides, " and "),
                      overrides.size() == 1 ? "overrides" : "override");
 }
 
@@ -99,6 +89,15 @@ BinaryImage binarise_packed(const BrightPixels& count, const BinariseOptions& op
   if (count.bright == 0) result.only_level = 0;
   if (count.bright == count.all) result.only_level = 255;
   return result;
+}
+
+std::string class_text(const BinaryImage& binary) {
+  const std::string_view name = foreground_name(binary.foreground);
+  if (binary.window > 0) {
+    return fmt::format("{} (by the means of {} x {} pixels)", name, binary.window, binary.window);
+  }
+  const char* const relation = binary.foreground == Foreground::bright ? ">=" : "<";
+  return fmt::format("{} (grey level {} {})", name, relation, binary.threshold);
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {

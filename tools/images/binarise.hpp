@@ -61,6 +61,9 @@ void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index h
 [[nodiscard]] BinaryImage binarise_packed(const BrightPixels& count,
                                           const BinariseOptions& options);
 
+/// "bright (grey level >= 108)": what is foreground.
+[[nodiscard]] std::string class_text(const BinaryImage& binary);
+
 /// What is doubtful about it, a line each: one grey level only, a threshold that many pixels are
 /// near, more than half of the image as foreground.
 [[nodiscard]] std::vector<std::string> warnings(const BinaryImage& binary,

@@ -68,13 +68,17 @@ bool is_out_of_memory(const std::string& said) {
          said.find("can't read data: unknown exception") != std::string::npos;
 }
 
-cv::Mat first_page(const std::string& path, int how) {
-  return is_pnm(path) ? read_pnm(path, how) : cv::imread(path, how);
+/// 8 bits, grey levels upright, colours in three channels: decoders would each weight them in their
+/// own way.
+constexpr int kLevelsOrColours = cv::IMREAD_ANYCOLOR;
+
+cv::Mat first_page(const std::string& path) {
+  return is_pnm(path) ? read_pnm(path) : cv::imread(path, kLevelsOrColours);
 }
 
-cv::Mat one_page(const std::string& path, int page, int how) {
+cv::Mat one_page(const std::string& path, int page) {
   std::vector<cv::Mat> pages;
-  cv::imreadmulti(path, pages, page, 1, how);
+  cv::imreadmulti(path, pages, page, 1, kLevelsOrColours);
   return pages.empty() ? cv::Mat() : pages.front();
 }
 
@@ -119,7 +123,10 @@ ByteImage channel_of(cv::Mat image, Channel& channel) {
     channel = Channel::grey;
     return image_of(image);
   }
-  cv::cvtColor(image, image, cv::COLOR_BGR2RGB);
+  for (int y = 0; y < image.rows; ++y) {  // OpenCV copies what it converts in place
+    cv::Mat row = image.row(y);
+    cv::cvtColor(row, row, cv::COLOR_BGR2RGB);
+  }
   cv::Mat levels(image.size(), CV_8UC1);
   const ImageView to(levels.data, levels.cols, levels.rows, static_cast<Index>(levels.step[0]));
   channel = select_channel({image.data, image.cols, image.rows, static_cast<Index>(image.step[0])},
@@ -187,8 +194,7 @@ ByteImage read_channel(const std::string& path, std::optional<int> page, Channel
     return image;
   }
   return guarded_read(path, page.value_or(0), [&] {
-    const int how = channel == Channel::grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR;
-    const auto decode = [&] { return page ? one_page(path, *page, how) : first_page(path, how); };
+    const auto decode = [&] { return page ? one_page(path, *page) : first_page(path); };
     return channel_of(decoded(path, decode, warning), channel);
   });
 }

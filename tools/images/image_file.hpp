@@ -29,14 +29,14 @@ void read_standard_input(const std::function<void(const std::string& copy)>& rea
 void check_file(const std::string& path);
 
 /// The grey levels of an image file of any common format; 16 bits become 8, colours become grey
-/// and transparency is ignored. OpenCV reads its own limit of 2^30 pixels from the environment
-/// when it is loaded, so that only the user can raise it. A JPEG file of which the decoder says
-/// that it is corrupt or truncated is an error; where `warning` is given, it is read as far as
-/// possible, and what the decoder says goes there. Throws FileError.
+/// as by select_channel, and transparency is ignored. OpenCV reads its own limit of 2^30 pixels
+/// from the environment when it is loaded, so that only the user can raise it. A JPEG file of which
+/// the decoder says that it is corrupt or truncated is an error; where `warning` is given, it is
+/// read as far as possible, and what the decoder says goes there. Throws FileError.
 [[nodiscard]] ByteImage read_grey(const std::string& path, std::string* warning = nullptr);
 
 /// As read_grey, by this channel, which becomes the one that was chosen: of a page of a TIFF file,
-/// counted from 0, or of the only image. Takes 3 bytes per pixel more unless it is Channel::grey.
+/// counted from 0, or of the only image. Colours take 3 bytes per pixel more.
 [[nodiscard]] ByteImage read_channel(const std::string& path, std::optional<int> page,
                                      Channel& channel, std::string* warning = nullptr);
 

@@ -32,7 +32,8 @@ Index bits_of(std::uint64_t word) {
 
 PackedFormat pbm_format(const std::string& path) {
   const std::string text = beginning_of(path, kPnmHeaderBytes);
-  if (text.rfind("P4", 0) != 0) cannot_read(path, "it is not a binary PBM file (P4)");
+  if (text.rfind("P4", 0) != 0)
+    cannot_read(path, "it is not a binary PBM file (P4), as OUT requires");
   PnmHeader header(text);
   const std::optional<Index> width = header.number();
   const std::optional<Index> height = header.number();
@@ -95,8 +96,9 @@ void PackedFile::check_length() const {
   if (fstat(descriptor_, &facts) != 0) cannot_read_by_errno(path_);
   if (!S_ISREG(facts.st_mode)) cannot_read(path_, "it is not a regular file");
   if (facts.st_size == format_.file_bytes()) return;
-  cannot_read(path_, fmt::format("it has {} bytes; {} x {} pixels take {}", facts.st_size,
-                                 format_.width, format_.height, format_.file_bytes()));
+  cannot_read(path_, fmt::format("it has {} bytes; {}{} x {} pixels take {}", facts.st_size,
+                                 format_.header.empty() ? "" : "its header and ", format_.width,
+                                 format_.height, format_.file_bytes()));
 }
 
 void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "images/pnm_header.hpp"
 #include "support/regular_file.hpp"
@@ -69,20 +68,17 @@ bool is_pnm(const std::string& path) {
   return start.size() == 2 && start[0] == 'P' && start[1] >= '2' && start[1] <= '7';
 }
 
-cv::Mat read_pnm(const std::string& path, int how) {
+cv::Mat read_pnm(const std::string& path) {
   const std::string header = beginning_of(path, kPnmHeaderBytes);
   const Index maximum = maximum_in(header).value_or(0);
-  if (!needs_scaling(header, maximum)) return decoded(path, header, how);
+  if (!needs_scaling(header, maximum)) return decoded(path, header, cv::IMREAD_ANYCOLOR);
   if (header.starts_with("P7")) {
     throw FileError("cannot read '" + path + "': its maximum is " + std::to_string(maximum) +
                     "; known for PAM files are 255 and 65535");
   }
   cv::Mat image = decoded(path, header, cv::IMREAD_UNCHANGED);
   if (image.empty()) return image;
-  image = scaled(image, maximum);
-  if (image.channels() == 3 && how == cv::IMREAD_GRAYSCALE)
-    cv::cvtColor(image, image, cv::COLOR_BGR2GRAY);
-  return image;
+  return scaled(image, maximum);
 }
 
 }  // namespace thinbench

@@ -10,10 +10,9 @@ namespace thinbench {
 /// By its first two bytes, "P2" to "P7"; false for files that cannot be read.
 [[nodiscard]] bool is_pnm(const std::string& path);
 
-/// Reads grey levels or, by `how` (cv::IMREAD_COLOR), colours as they are meant where OpenCV alone
-/// does not: the maximum that the header names becomes 255, and the last number of a text needs no
-/// newline. Empty where OpenCV gives up. Throws FileError, also for PAM files of another maximum
-/// than 255 and 65535.
-[[nodiscard]] cv::Mat read_pnm(const std::string& path, int how);
+/// Reads grey levels or colours as they are meant where OpenCV alone does not: the maximum that the
+/// header names becomes 255, and the last number of a text needs no newline. Empty where OpenCV
+/// gives up. Throws FileError, also for PAM files of another maximum than 255 and 65535.
+[[nodiscard]] cv::Mat read_pnm(const std::string& path);
 
 }  // namespace thinbench

@@ -103,7 +103,8 @@ inline nlohmann::json parse_json(const std::string& text, const std::string& nam
     return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::parse_error& error) {
     throw std::runtime_error(name + ": not JSON, or truncated, at byte " +
-                             std::to_string(error.byte) + " of " + std::to_string(text.size()));
+                             std::to_string(std::min(error.byte, text.size())) + " of " +
+                             std::to_string(text.size()));
   } catch (const nlohmann::json::out_of_range&) {
     throw std::runtime_error(name + ": a number is too large to read");
   }

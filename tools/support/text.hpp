@@ -1,6 +1,7 @@
 // Texts for people: tables as Markdown, one line of what may hold more; extensions of file names.
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@ namespace thinbench {
 /// A Markdown table; all rows have as many cells as the head.
 [[nodiscard]] std::string markdown_table(const std::vector<std::string>& head,
                                          const std::vector<std::vector<std::string>>& rows);
+
+/// "1 pixel", "3 pixels"; the plural where it is another than that with an s.
+template <std::integral Integer>
+[[nodiscard]] std::string counted(Integer count, const std::string& what,
+                                  const std::string& plural = {}) {
+  const std::string& many = plural.empty() ? what + 's' : plural;
+  return std::to_string(count) + ' ' + (count == 1 ? what : many);
+}
 
 /// With \x0a and so on for newlines and other control characters, as names of files may hold.
 [[nodiscard]] std::string one_line(const std::string& text);
