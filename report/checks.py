@@ -1,10 +1,9 @@
-"""results/checks.json: which checks passed, on which commit. `./check --record WHAT` runs
-`python3 -m report.checks WHAT COMMAND...`; docs/testing.md shows the file as a table."""
+"""The table in docs/testing.md of which checks passed, on which commit. `./check --record WHAT` runs
+`python3 -m report.checks COMMAND...`."""
 
 from __future__ import annotations
 
 import datetime
-import json
 import re
 import subprocess
 import sys
@@ -14,12 +13,12 @@ from pathlib import Path
 
 from report.building import ROOT
 from report.errors import ReportError
-from report.files import read_json, write_file
+from report.files import write_file
 from report.formatting import markdown_table
 from report.git import git
-from report.measure.sampler import Json
 
-RECORDS = ROOT / "results" / "checks.json"
+DOCUMENT = ROOT / "docs" / "testing.md"
+TABLE = re.compile(r"(?<=<!-- checks: made by check --record -->\n).*?(?=<!-- end -->)", re.DOTALL)
 HEADER = ("command", "commit", "date", "processor", "minutes", "result")
 
 SUMMARIES = (r"tests failed out of (?P<tests>\d+)", r"(?P<text>\d+ passed.*) in ", r"(?P<text>killed: .*)",
@@ -38,8 +37,8 @@ def summary(lines: Sequence[str]) -> str:
     return "passed"
 
 
-def record(what: str, command: Sequence[str], records: Path = RECORDS) -> int:
-    """Runs a check; an entry is written only where it passed. Returns its exit status."""
+def record(command: Sequence[str], document: Path = DOCUMENT) -> int:
+    """Runs a check; a row is written only where it passed. Returns its exit status."""
     commit = clean_commit()
     start, lines = time.monotonic(), []
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as process:
@@ -48,20 +47,32 @@ def record(what: str, command: Sequence[str], records: Path = RECORDS) -> int:
             print(line, end="", flush=True)
             lines.append(line.rstrip("\n"))
     if process.returncode == 0:
-        known = read_json(records) if records.exists() else {}
-        known[what] = {"command": " ".join(["./check", *command[1:]]), "commit": commit,
-                       "date": datetime.date.today().isoformat(), "processor": processor(),
-                       "minutes": round((time.monotonic() - start) / 60, 1), "result": summary(lines)}
-        write_file(records, (json.dumps(known, indent=1, sort_keys=True) + "\n").encode())
+        minutes = f"{(time.monotonic() - start) / 60:.1f}"
+        words = [word for word in command[1:] if word != "--no-install"]
+        row = [f"`{' '.join(['./check', *words])}`", commit, datetime.date.today().isoformat(), processor(),
+               minutes, summary(lines)]
+        write_file(document, with_row(document.read_text(encoding="utf-8"), row).encode())
     return process.returncode
 
 
+def with_row(text: str, row: Sequence[str]) -> str:
+    """The document with a row, in place of that of the same check."""
+    def check_of(cells: Sequence[str]) -> str:
+        return " ".join(cells[0].strip("`").split()[:2])
+
+    def table(found: re.Match[str]) -> str:
+        cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in found[0].splitlines()[2:]]
+        rows = {check_of(one): one for one in (*cells, row)}
+        return markdown_table(HEADER, [one for _, one in sorted(rows.items())], frozenset((4,)))
+    return TABLE.sub(table, text, count=1)
+
+
 def clean_commit() -> str:
-    """What is checked; notes of other checks do not change it."""
+    """What is checked; rows of other checks do not change it."""
     commit = git("rev-parse", "--short=10", "HEAD")
     if commit is None:
         raise ReportError("--record: needs a clone, with git, as a record names its commit")
-    if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!results/checks.json"):
+    if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs/testing.md"):
         raise ReportError("--record: tracked files differ from the commit; commit them first")
     return commit
 
@@ -72,17 +83,10 @@ def processor(file: Path = Path("/proc/cpuinfo")) -> str:
     return found[1] if found else "unknown"
 
 
-def checks_table(records: Path = RECORDS) -> str:
-    """As Markdown, a line for each check that was recorded."""
-    known: Json = read_json(records)
-    rows = [[f"`{one['command']}`", *(str(one[key]) for key in HEADER[1:])] for _, one in sorted(known.items())]
-    return markdown_table(HEADER, rows, frozenset((4,)))
-
-
 def main(arguments: Sequence[str]) -> int:
-    """WHAT COMMAND..."""
+    """COMMAND..."""
     try:
-        return record(arguments[0], arguments[1:])
+        return record(arguments)
     except ReportError as error:
         print(f"check: {error}", file=sys.stderr)
         return error.status

@@ -7,7 +7,6 @@
     <!-- quality: made by report readme -->                skeletons of the scene, by results/experiments
     <!-- run: made by report readme -->                    which run it was
     <!-- pages: made by report readme -->                  ratios on real pictures, by `./study pages`
-    <!-- checks: made by report readme -->                 what ./check --record noted
     <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
     ...
     <!-- end -->
@@ -22,7 +21,6 @@ import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from report.checks import checks_table
 from report.claims import judge
 from report.claims import to_markdown as claims_to_markdown
 from report.errors import ReportError
@@ -47,7 +45,7 @@ MANY_IMAGES = Path("many-images", CSV)
 Maker = Callable[[list[str], Path], str]
 """Takes the words after the first, and where the document is."""
 
-NAMES = ("headline", "speed", "run", "pages", "claims", "quality", "checks", "many-images")
+NAMES = ("headline", "speed", "run", "pages", "claims", "quality", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
@@ -69,8 +67,7 @@ def marked(directory: Path) -> list[Path]:
 def makers_of(directory: Path) -> dict[str, Maker]:
     """By the first word of a mark. Raises ReportError where the directory holds nothing to quote."""
     many = directory / MANY_IMAGES
-    makers: dict[str, Maker] = {"quality": lambda _, __: _quality(),
-                               "checks": lambda _, __: checks_table()}
+    makers: dict[str, Maker] = {"quality": lambda _, __: _quality()}
     if (directory / RUN).exists() or not many.exists():
         rows = Rows(load_run(directory))
         makers |= {"headline": lambda _, __: readme_table(rows.headlines()),

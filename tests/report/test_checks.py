@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import sys
-
 import pytest
 
 from report import checks
@@ -22,24 +19,43 @@ def test_the_last_words_of_a_check_are_its_result(said, noted):
     assert checks.summary(said) == noted
 
 
+DOCUMENT = """Before.
+
+<!-- checks: made by check --record -->
+| command | commit | date | processor | minutes | result |
+| --- | --- | --- | --- | ---: | --- |
+| `./check asan` | 9876543210 | 2026-01-02 | old | 44.1 | 6 tests |
+| `./check tsan` | 9876543210 | 2026-01-02 | old | 26.8 | 5 tests |
+<!-- end -->
+
+After.
+"""
+
+
 def recorded(tmp_path, status):
-    command = [sys.executable, "-c", f"print('100% tests passed, 0 tests failed out of 7'); raise SystemExit({status})"]
-    return checks.record("asan", command, tmp_path / "checks.json")
+    """The status and the document, after a check of two words more."""
+    check, document = tmp_path / "check", tmp_path / "testing.md"
+    check.write_text(f"#!/bin/sh\necho 100% tests passed, 0 tests failed out of 7\nexit {status}\n")
+    check.chmod(0o755)
+    document.write_text(DOCUMENT)
+    status = checks.record([str(check), "--no-install", "asan", "-n", "3"], document)
+    return status, document.read_text().splitlines()
 
 
-def test_a_check_that_passed_is_noted_with_its_commit_and_shown(tmp_path, monkeypatch, capsys):
+def test_a_check_that_passed_is_noted_with_its_commit_in_place_of_its_last_row(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(checks, "git", lambda *words: "" if words[0] == "status" else "0123456789")
-    assert recorded(tmp_path, 0) == 0
+    status, lines = recorded(tmp_path, 0)
+    assert status == 0
     assert "0 tests failed" in capsys.readouterr().out
-    entry = json.loads((tmp_path / "checks.json").read_text())["asan"]
-    assert entry["commit"] == "0123456789" and entry["result"] == "7 tests"
-    assert "| 0123456789 |" in checks.checks_table(tmp_path / "checks.json")
+    before = DOCUMENT.splitlines()
+    row = lines.pop(5)
+    assert row.startswith("| `./check asan -n 3` | 0123456789 | 20") and row.endswith(" | 0.0 | 7 tests |")
+    assert lines == before[:5] + before[6:]
 
 
 def test_a_check_that_failed_is_not_noted(tmp_path, monkeypatch):
     monkeypatch.setattr(checks, "git", lambda *words: "")
-    assert recorded(tmp_path, 3) == 3
-    assert not (tmp_path / "checks.json").exists()
+    assert recorded(tmp_path, 3) == (3, DOCUMENT.splitlines())
 
 
 def test_changed_files_have_no_commit_to_note(tmp_path, monkeypatch):

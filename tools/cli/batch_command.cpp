@@ -177,9 +177,10 @@ int run(const BatchOptions& options, const Console& console) {
   open_outputs(jobs, path, options, manifest);
   print_skipped(found, options.settings.out, console.err);
   BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
-  if (!table.empty())
+  if (!table.empty()) {
     write_batch_table(table, jobs, *manifest, operation, options.settings.out,
                       makes_graphs(options.operation));
+  }
   std::vector<std::string>& failures = outcome.totals.failures;
   failures.insert(failures.begin(), found.failures.begin(), found.failures.end());
   print_summary(operation, outcome, console.out);

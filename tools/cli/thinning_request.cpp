@@ -5,6 +5,8 @@
 #include <regex>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "cli/arguments.hpp"
 #include "cli/names.hpp"
 #include "cli/usage.hpp"
@@ -106,7 +108,7 @@ Directions directions_named(const NamedValue& rule, const std::string& list) {
     }
     const Direction direction = direction_named(name);
     if (directions.has(direction)) {
-      throw UsageError("--directions: '" + list + "' names " + name + " twice");
+      throw UsageError(fmt::format("--directions: '{}' names {} twice", list, name));
     }
     directions.add(direction);
   }
