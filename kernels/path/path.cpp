@@ -19,11 +19,7 @@ namespace {
 using detail::require;
 
 std::string text_of(Pixel p) {
-  return std::string("(")
-      .append(std::to_string(p.x))
-      .append(", ")
-      .append(std::to_string(p.y))
-      .append(")");
+  return "row " + std::to_string(p.y) + ", column " + std::to_string(p.x);
 }
 
 class Search {

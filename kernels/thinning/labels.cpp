@@ -213,7 +213,8 @@ void validate(const detail::ThinningCall& call, const std::vector<Label>& labels
   using detail::require;
   const auto parameters = detail::thinning_parameters(call.rule, call.thinning);
   const std::string name(call.rule.name());
-  require(!parameters.complemented, name + ": labels have no border of foreground");
+  require(!parameters.complemented,
+          name + ": border: expected background or keep for labels, got foreground");
   require(!parameters.rule->adds_pixels(),
           name + " adds pixels, which would belong to no label; apply it to an image");
   Index widest = 0;

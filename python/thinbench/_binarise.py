@@ -19,7 +19,7 @@ _METHODS = {"otsu": -1, "local": -2}
 
 
 def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int | Literal["otsu", "local"] = "otsu",
-             channel: str = "grey", window: int | None = None, offset: int = 10) -> npt.NDArray[np.bool_]:
+             channel: str = "grey", window: int | None = None, offset: int | None = None) -> npt.NDArray[np.bool_]:
     """Make a binary image of a grey or colour image, as the program `thinbench` does.
 
     Parameters
@@ -37,8 +37,8 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
     window : int, optional
         Side of the window of "local": odd, 3 to 65535. Default: an eighth of the image's smaller
         side, at least 15.
-    offset : int
-        0 to 255 grey levels.
+    offset : int, optional
+        Of "local", 0 to 255 grey levels. Default: 10.
 
     Returns
     -------
@@ -65,9 +65,11 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
     levels = _levels(image, channel)
     request = _REQUEST.pack(_REQUEST.size,
                             ctypes.addressof(_arrays.one_of("foreground", foreground, _FOREGROUNDS)),
-                            _threshold(threshold), _window(window), _arrays.integer("offset", offset))
-    if window is not None and threshold != "local":
-        raise ValueError(f"window: expected threshold='local' beside it, got {threshold!r}")
+                            _threshold(threshold), _window(window),
+                            10 if offset is None else _arrays.integer("offset", offset))
+    for name, value in (("window", window), ("offset", offset)):
+        if value is not None and threshold != "local":
+            raise ValueError(f"{name}: expected threshold='local' beside it, got {threshold!r}")
     result = np.empty(levels.shape, bool)
     stack, kept_alive = _arrays.source(levels)
     _library.binarise(stack, _arrays.destination(result), request, None, None)

@@ -91,7 +91,8 @@ class Rule:
             handle = _library.handle_from(_library.rule_named, _tables.encoded("rule", name))
         except ValueError as error:
             known = _library.all_names(_library.rule_name)
-            meant = _arrays.meant(name, [*known, *(f"thin_{one}" for one in known)])
+            meant = (_arrays.meant(name, [*known, *(f"thin_{one}" for one in known)])
+                     or "; rules() and named_rules() have the names, Rule.from_hensel takes a notation")
             raise ValueError(f"{error}{meant}") from None
         return cls.__new__(cls)._own(handle, partial(Rule.named, name))
 
@@ -139,6 +140,8 @@ class Rule:
         >>> bool(keep.tables[0, 16])
         True
         """
+        if np.size(last) == 0:
+            raise ValueError("last: expected the last descriptors of at least one net, got 0")
         ends = np.array([_arrays.integer("last", end) for end in np.atleast_1d(last)], np.int32)
         nets = _weights(weights, len(ends))
         handle = _library.handle_from(_library.rule_from_cluster, ends.ctypes.data,
@@ -240,7 +243,7 @@ class Rule:
         """One sub-iteration: `next_value(window)` for all 512 windows.
 
         It gets an array of bool of shape (3, 3) and returns the new value of the pixel in the
-        middle. It is called here only, not by `apply`. Other parameters as for Rule.
+        middle, True or False. It is called here only, not by `apply`. Other parameters as for Rule.
 
         Examples
         --------

@@ -651,7 +651,7 @@ static void finds_a_path_for_a_robot(void) {
   CHECK(thinbench_find_path(&free_space, start, goal, 2, NULL, way, &count) == THINBENCH_OK);
   CHECK(count == 5 && way[2].x == 2 && way[2].y == 1);
   rejects(thinbench_find_path(&free_space, start, wall, 2, NULL, way, &count),
-          "goal: (2, 0) is inside an obstacle");
+          "goal: row 0, column 2 is inside an obstacle");
   rejects(thinbench_find_path(&free_space, start, goal, 3, NULL, way, &count), "3");
   rejects(thinbench_find_path(&free_space, start, goal, 2, NULL, NULL, &count), "pixels");
 }

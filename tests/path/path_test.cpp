@@ -87,11 +87,13 @@ TEST(FindPath, says_why_there_is_none) {
   const auto rejected = [&](const PathRequest& request) {
     return rejection_of([&] { static_cast<void>(find_path(rooms.view(), request)); });
   };
-  EXPECT_EQ(rejected({{15, 0}, {0, 0}}), "start: (15, 0) is outside the map of 15 x 8 pixels");
-  EXPECT_EQ(rejected({{0, 0}, {7, 0}}), "goal: (7, 0) is inside an obstacle");
+  EXPECT_EQ(rejected({{15, 0}, {0, 0}}),
+            "start: row 0, column 15 is outside the map of 15 x 8 pixels");
+  EXPECT_EQ(rejected({{0, 0}, {7, 0}}), "goal: row 0, column 7 is inside an obstacle");
   EXPECT_EQ(rejected({{6, 0}, {0, 0}, 3}),
-            "start: at (6, 0) there is room for a width of 2, not of 3");
-  EXPECT_EQ(rejected({{3, 4}, {11, 4}, 5}), "no path from (3, 4) to (11, 4) is 5 pixels wide");
+            "start: at row 0, column 6 there is room for a width of 2, not of 3");
+  EXPECT_EQ(rejected({{3, 4}, {11, 4}, 5}),
+            "no path from row 4, column 3 to row 4, column 11 is 5 pixels wide");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
             "width: expected a finite number from 0 up, got inf");

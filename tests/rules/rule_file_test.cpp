@@ -122,8 +122,8 @@ TEST(RuleFile, errors_of_structure_and_options_name_the_key) {
   const std::string limits = "max_iterations must lie between 1 and 2147483647";
   const std::string name = "name must have 1 to 100 bytes without control characters";
   expect_errors({
-      {"", "not JSON, or truncated, at byte 1 of 0"},
-      {R"({"hensel": "B3/S23")", "not JSON, or truncated, at byte 20 of 19"},
+      {"", "not JSON, or truncated, at byte 0 of 0"},
+      {R"({"hensel": "B3/S23")", "not JSON, or truncated, at byte 19 of 19"},
       {"[]", "the outermost value must be an object"},
       {"{}", "the outermost value must have either sub_iterations or hensel"},
       {R"({"hensel": "B/S", "sub_iterations": []})",

@@ -148,7 +148,7 @@ TEST(ThinLabels, rejects_rules_that_add_pixels_and_foreground_outside) {
   expect_rule_rejected(Rule::named("life"), Border::background,
                        "life adds pixels, which would belong to no label; apply it to an image");
   expect_rule_rejected(Rule::guo_hall, Border::foreground,
-                       "guo_hall: labels have no border of foreground");
+                       "border: expected background or keep for labels, got foreground");
   EXPECT_EQ(result.labels, (LabelImage{40, 20}.labels));
 }
 

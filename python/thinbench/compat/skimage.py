@@ -58,7 +58,7 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     Parameters
     ----------
     image : array, shape (H, W)
-        Nonzero is foreground.
+        Nonzero is foreground. scikit-image 0.19 takes only 0 and 1, and 0 for fractions below 1.
     method : {None, "zhang"}
 
     Returns
