@@ -51,9 +51,10 @@ struct Matching {
          matches(above.keys + above.count - right, here.keys + here.count - right)) {
     ++right;
   }
-  // The last matching run may also touch the first one that does not match.
-  left = left > 0 ? left - 1 : 0;
-  right = right > 0 ? right - 1 : 0;
+  // The first and the last run always match, as they are outside. The last matching one may also
+  // touch the first that does not match.
+  --left;
+  --right;
   return {left, right < max + 1 - left ? right : max + 1 - left};
 }
 

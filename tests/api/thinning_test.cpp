@@ -12,6 +12,7 @@
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
 #include "thinbench/named_rules.hpp"
+#include "thinbench/nets.hpp"
 #include "thinning/operations.hpp"
 
 namespace thinbench {
@@ -67,6 +68,11 @@ TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
     EXPECT_TRUE(equal(out.view(), expected.view())) << width;
   }
   EXPECT_EQ(&detail::thinning_variants(*net.body()), &detail::thinning_variants(*rule.body()));
+}
+
+TEST(Rule, of_a_net_reaches_the_adjacent_pixels) {
+  EXPECT_EQ(Rule(kPaperTwoLayer, Activation::linear).reach(), 1);
+  EXPECT_EQ(Rule(Rule::net_two_layer_linear).reach(), 1);
 }
 
 TEST(Thin, takes_one_iteration_for_images_without_pixels) {

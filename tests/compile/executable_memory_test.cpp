@@ -2,6 +2,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
 
 #include <gtest/gtest.h>
 #include <linux/audit.h>
@@ -74,6 +75,26 @@ int status_of(const Body& body) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : kWrong;
+}
+
+/// The address space that this process uses, in pages.
+std::size_t used_pages() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages;
+}
+
+TEST(MachineCode, gives_its_memory_back) {
+  if (!MachineCode::is_available(Isa::avx2)) GTEST_SKIP() << "no machine code here";
+  const GateNetwork identity = {.gates = {}, .output = WindowTable::kCentre};
+  const auto make = [&] {
+    return MachineCode::make(identity, Isa::avx2, Layout::words, false) != nullptr;
+  };
+  ASSERT_TRUE(make());
+  const std::size_t before = used_pages();
+  constexpr std::size_t count = 2000;
+  for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(make());
+  EXPECT_LT(used_pages(), before + count / 2);
 }
 
 TEST(MachineCode, interpreter_runs_rules_where_memory_cannot_be_executable) {

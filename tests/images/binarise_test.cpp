@@ -174,6 +174,9 @@ TEST(LikelyForeground, counts_each_border_pixel_once_in_images_one_pixel_wide_or
   ByteImage column(1, 5);  // 3 of 5 pixels are bright
   for (const Index y : {0, 1, 2}) column.at(0, y) = 200;
   EXPECT_EQ(binarised(column).foreground, Foreground::dark);
+  ByteImage row(6, 1);  // 2 of 6
+  row.at(0, 0) = row.at(2, 0) = 200;
+  EXPECT_EQ(binarised(row).foreground, Foreground::bright);
   EXPECT_EQ(binarised(all_levels(), {Foreground::automatic, 100}).foreground, Foreground::dark);
   EXPECT_EQ(binarised(all_levels(), {Foreground::automatic, 200}).foreground, Foreground::bright);
 }

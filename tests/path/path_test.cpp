@@ -97,6 +97,9 @@ TEST(FindPath, says_why_there_is_none) {
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
             "width: expected a finite number from 0 up, got inf");
+  const ConstImageView negative = {rooms.view().data, -1, 8, 15};
+  EXPECT_EQ(rejection_of([&] { static_cast<void>(find_path(negative, {})); }),
+            "source has the size -1 x 8");
 }
 
 }  // namespace
