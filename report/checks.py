@@ -61,10 +61,14 @@ def with_row(text: str, row: Sequence[str]) -> str:
         return " ".join(cells[0].strip("`").split()[:2])
 
     def table(found: re.Match[str]) -> str:
-        cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in found[0].splitlines()[2:]]
+        cells = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+                 for line in found[0].splitlines()[2:]]
         rows = {check_of(one): one for one in (*cells, row)}
         return markdown_table(HEADER, [one for _, one in sorted(rows.items())], frozenset((4,)))
-    return TABLE.sub(table, text, count=1)
+    filled, found = TABLE.subn(table, text, count=1)
+    if not found:
+        raise ReportError("--record: docs/testing.md has no table of checks")
+    return filled
 
 
 def clean_commit() -> str:

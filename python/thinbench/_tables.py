@@ -91,8 +91,11 @@ def _each(function: Callable[..., None], tables: Tables, order: bytes) -> Tables
 
 def from_function(next_value: Callable[[Tables], Any]) -> Tables:
     windows = np.arange(WINDOWS)[:, None] >> np.arange(9) & 1
-    values = [next_value(window) for window in windows.astype(bool).reshape(-1, 3, 3)]
-    for value in values:
-        if value not in (0, 1):
-            raise ValueError(f"next_value: expected True or False for each window, got {value!r}")
-    return np.array([values], bool)
+    return np.array([[_bit(next_value(window)) for window in windows.astype(bool).reshape(-1, 3, 3)]])
+
+
+def _bit(value: Any) -> bool:
+    if np.size(value) != 1 or value not in (0, 1):
+        got = " ".join(repr(value).split())
+        raise ValueError(f"next_value: expected True or False for each window, got {got}")
+    return bool(value)

@@ -91,6 +91,7 @@ TEST_F(RunRules, names_notations_and_files_that_are_no_rules_are_rejected) {
       {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},
       {2, "run B3/S23 in.png out.png", {"B3/S23" + limit + "--max-iterations"}},
       {2, "run life.json in.png out.png", {"life" + limit + "--max-iterations"}},
+      {2, "graph in.png --thinning B3/S23", {"--thinning: B3/S23 adds and removes pixels"}},
       {2, "run thin_mb2 in.png out.png --border foreground", {"expected background or keep"}},
       {1, "run absent.json in.png out.png", {"cannot read 'absent.json': there is no such file"}},
       {1, "run huge.json in.png out.png", {"it has more than 1,000,000 bytes"}},

@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <random>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -88,20 +89,28 @@ TEST_F(ReadGrey, transparency_is_left_out) {
 }
 
 TEST_F(ReadGrey, colours_become_the_same_grey_in_every_format) {
-  cv::Mat colours(16, 256, CV_8UC3);
-  cv::theRNG().state = 1;
-  cv::randu(colours, 0, 256);
-  for (const std::string name : {"a.png", "a.ppm", "a.bmp", "a.tif"}) {
-    write_by_opencv(name, colours);
-    const ByteImage grey = read_grey(name);
-    for (int y = 0; y < colours.rows; ++y) {
-      for (int x = 0; x < colours.cols; ++x) {
-        const auto& p = colours.at<cv::Vec3b>(y, x);  // blue, green, red
-        const double exact = 0.299 * p[2] + 0.587 * p[1] + 0.114 * p[0];
-        ASSERT_NEAR(grey.at(x, y), exact, 0.51) << name << ' ' << x << ' ' << y;
-      }
-    }
+  constexpr int width = 256, height = 16;
+  std::string samples(std::size_t{3} * width * height, ' ');  // red, green, blue
+  std::mt19937 random(1);
+  for (char& sample : samples) sample = static_cast<char>(random());
+  ByteImage expected(width, height);
+  const auto* const data = reinterpret_cast<const std::uint8_t*>(samples.data());
+  select_channel({data, width, height, 3 * width}, expected.view(), Channel::grey);
+  put("a.ppm", "P6 256 16 255\n" + samples);
+  put("a.pam", "P7\nWIDTH 256\nHEIGHT 16\nDEPTH 3\nMAXVAL 255\nTUPLTYPE RGB\nENDHDR\n" + samples);
+  const cv::Mat colours = cv::imread("a.ppm");
+  for (const char* name : {"a.png", "a.bmp", "a.tif"}) write_by_opencv(name, colours);
+  for (const char* name : {"a.png", "a.ppm", "a.pam", "a.bmp", "a.tif"}) {
+    EXPECT_TRUE(equal(read_grey(name).view(), expected.view())) << name;
   }
+  ASSERT_TRUE(cv::imwritemulti("pages.tif", std::vector{ramp_mat(), colours}));
+  EXPECT_TRUE(equal(read_grey_page("pages.tif", 1).view(), expected.view()));
+}
+
+TEST_F(ReadGrey, pam_with_transparency_is_rejected) {
+  expect_error_of(
+      "a.pam", "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 2\nMAXVAL 255\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\nab",
+      "its depth is 2; known for PAM files are 1 and 3");
 }
 
 TEST_F(ReadGrey, what_is_no_image_is_rejected_with_the_reason) {

@@ -166,6 +166,7 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule.from_function(lambda window: 1 // 0), ZeroDivisionError, "zero"),
     (lambda: Rule.from_function(lambda window: None), ValueError, "next_value: expected True or False"),
     (lambda: Rule.from_function(np.sum), ValueError, "for each window, got 2"),
+    (lambda: Rule.from_function(lambda window: window), ValueError, "for each window, got array"),
     (lambda: thinbench.thin(IMAGE, "B3/S23"), ValueError, "Rule.from_hensel takes a notation"),
     (lambda: Rule.named("Life"), ValueError, "got 'Life'"),
     (lambda: Rule.named(None), TypeError, "None"),

@@ -24,8 +24,8 @@ DOCUMENT = """Before.
 <!-- checks: made by check --record -->
 | command | commit | date | processor | minutes | result |
 | --- | --- | --- | --- | ---: | --- |
-| `./check asan` | 9876543210 | 2026-01-02 | old | 44.1 | 6 tests |
-| `./check tsan` | 9876543210 | 2026-01-02 | old | 26.8 | 5 tests |
+| `./check asan` | 9876543210 | 2026-01-02 | old \\| | 44.1 | 6 tests |
+| `./check tsan` | 9876543210 | 2026-01-02 | old \\| | 26.8 | 5 tests |
 <!-- end -->
 
 After.
@@ -56,6 +56,11 @@ def test_a_check_that_passed_is_noted_with_its_commit_in_place_of_its_last_row(t
 def test_a_check_that_failed_is_not_noted(tmp_path, monkeypatch):
     monkeypatch.setattr(checks, "git", lambda *words: "")
     assert recorded(tmp_path, 3) == (3, DOCUMENT.splitlines())
+
+
+def test_a_document_without_the_table_is_rejected():
+    with pytest.raises(ReportError, match="no table of checks"):
+        checks.with_row("a page", ["`./check asan`"])
 
 
 def test_changed_files_have_no_commit_to_note(tmp_path, monkeypatch):

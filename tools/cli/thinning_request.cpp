@@ -2,7 +2,6 @@
 
 #include <climits>
 #include <filesystem>
-#include <regex>
 #include <variant>
 
 #include <fmt/format.h>
@@ -179,8 +178,11 @@ void check_options(const RequestedThinning& requested) {
   try {
     const Thinner on_one_pixel(requested.rule, 1, 1, thinning);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(
-        std::regex_replace(error.what(), std::regex("max_iterations"), "--max-iterations"));
+    constexpr std::string_view name = "max_iterations";
+    std::string text = error.what();
+    if (text.ends_with(name))
+      text.replace(text.size() - name.size(), name.size(), "--max-iterations");
+    throw UsageError(text);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "images/pnm_header.hpp"
 #include "support/regular_file.hpp"
@@ -20,14 +21,21 @@ bool is_text(std::string_view header) {
   return header.starts_with("P2") || header.starts_with("P3");
 }
 
+bool is_pam(std::string_view header) {
+  return header.starts_with("P7");
+}
+
+/// The number on a line of a PAM header that begins with this word.
+std::optional<Index> pam_number(std::string_view header, std::string_view word) {
+  const std::size_t at = header.find(word);
+  if (at == std::string_view::npos) return std::nullopt;
+  return PnmHeader(header.substr(at + word.size() - 2)).number();  // begins two bytes later
+}
+
 /// The maximum that a header names; nothing for headers without one, and damaged ones.
 std::optional<Index> maximum_in(std::string_view header) {
   PnmHeader numbers(header);
-  if (header.starts_with("P7")) {
-    const std::size_t at = header.find("\nMAXVAL");
-    if (at == std::string_view::npos) return std::nullopt;
-    return PnmHeader(header.substr(at + 5)).number();  // begins two bytes later
-  }
+  if (is_pam(header)) return pam_number(header, "\nMAXVAL");
   if (header.starts_with("P4") || !numbers.number() || !numbers.number()) return std::nullopt;
   return numbers.number();
 }
@@ -61,6 +69,22 @@ cv::Mat decoded(const std::string& path, std::string_view header, int how) {
   return cv::imdecode(cv::Mat(1, static_cast<int>(text.size()), CV_8UC1, text.data()), how);
 }
 
+/// OpenCV reads transparency wrongly, and takes red for blue.
+cv::Mat read_pam(const std::string& path, std::string_view header, Index maximum) {
+  if (needs_scaling(header, maximum)) {
+    cannot_read(path, "its maximum is " + std::to_string(maximum) +
+                          "; known for PAM files are 255 and 65535");
+  }
+  const Index depth = pam_number(header, "\nDEPTH").value_or(0);
+  if (depth != 1 && depth != 3) {
+    cannot_read(path,
+                "its depth is " + std::to_string(depth) + "; known for PAM files are 1 and 3");
+  }
+  cv::Mat image = decoded(path, header, cv::IMREAD_ANYCOLOR);
+  if (image.channels() == 3) cv::cvtColor(image, image, cv::COLOR_RGB2BGR);
+  return image;
+}
+
 }  // namespace
 
 bool is_pnm(const std::string& path) {
@@ -71,11 +95,8 @@ bool is_pnm(const std::string& path) {
 cv::Mat read_pnm(const std::string& path) {
   const std::string header = beginning_of(path, kPnmHeaderBytes);
   const Index maximum = maximum_in(header).value_or(0);
+  if (is_pam(header)) return read_pam(path, header, maximum);
   if (!needs_scaling(header, maximum)) return decoded(path, header, cv::IMREAD_ANYCOLOR);
-  if (header.starts_with("P7")) {
-    throw FileError("cannot read '" + path + "': its maximum is " + std::to_string(maximum) +
-                    "; known for PAM files are 255 and 65535");
-  }
   cv::Mat image = decoded(path, header, cv::IMREAD_UNCHANGED);
   if (image.empty()) return image;
   return scaled(image, maximum);

@@ -58,7 +58,8 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     Parameters
     ----------
     image : array, shape (H, W)
-        Nonzero is foreground. scikit-image 0.19 takes only 0 and 1, and 0 for fractions below 1.
+        Nonzero is foreground. scikit-image 0.19 rejects other integers than 0 and 1, and takes
+        fractions below 1 as 0.
     method : {None, "zhang"}
 
     Returns
