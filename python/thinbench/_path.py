@@ -38,7 +38,7 @@ def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: 
     ------
     TypeError, ValueError
         If start or goal is outside or has no room, if there is no path, or if an argument does not
-        fit. Points are named as (x, y), as the program does.
+        fit. Points are named by row and column.
 
     References
     ----------

@@ -62,7 +62,8 @@ def write(path: str | os.PathLike[str], rule: Rule) -> None:
 
 
 def _content_of(file: str) -> bytes:
-    if not stat.S_ISREG(os.stat(file).st_mode):  # a pipe would block
+    mode = os.stat(file).st_mode
+    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):  # a pipe would block, open() rejects a directory
         raise ValueError(f"cannot read {file!r}: it is not a regular file")
     with open(file, "rb") as opened:
         content = opened.read(_MAX_BYTES + 1)
@@ -126,7 +127,7 @@ def _raster(text: str) -> _tables.Tables:
     if re.fullmatch("[0-9a-fA-F]{128}", text):
         return np.unpackbits(np.frombuffer(bytes.fromhex(text), np.uint8)).astype(bool)[None]
     raise ValueError("expected 512 digits 0 and 1 or 128 hexadecimal digits, "
-                     f"got {len(text)} characters")
+                     f"got {_arrays.counted(len(text), 'character')}")
 
 
 _KINDS: dict[str, tuple[Callable[..., _tables.Tables], tuple[str, ...]]] = {

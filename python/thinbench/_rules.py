@@ -140,9 +140,11 @@ class Rule:
         >>> bool(keep.tables[0, 16])
         True
         """
-        if np.size(last) == 0:
-            raise ValueError("last: expected the last descriptors of at least one net, got 0")
-        ends = np.array([_arrays.integer("last", end) for end in np.atleast_1d(last)], np.int32)
+        array = np.atleast_1d(last)
+        if array.ndim != 1 or array.size == 0:
+            raise ValueError("last: expected shape (nets,) with at least one net, and weights of shape (nets, 9); "
+                             f"got {array.shape}")
+        ends = np.array([_arrays.integer("last", end) for end in array], np.int32)
         nets = _weights(weights, len(ends))
         handle = _library.handle_from(_library.rule_from_cluster, ends.ctypes.data,
                                       nets.ctypes.data, len(ends))
@@ -339,7 +341,7 @@ class Rule:
 
     def __repr__(self) -> str:
         count = len(self._tables)
-        sub_iterations = f"{count} sub-iteration{'' if count == 1 else 's'}, " if count else ""
+        sub_iterations = f"{_arrays.counted(count, 'sub-iteration')}, " if count else ""
         return (f"Rule({self.name}, {sub_iterations}border={self.border!r}, "
                 f"max_iterations={self.max_iterations})")
 

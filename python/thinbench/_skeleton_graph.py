@@ -122,8 +122,8 @@ class Graph:
         kinds, counts = np.unique(self.nodes["kind"], return_counts=True)
         of = ", ".join(f"{count} {kind}" for kind, count in zip(kinds, counts))
         length = float(self.edges["length"].sum())
-        return (f"Graph({len(self.nodes['kind'])} nodes{f' ({of})' if of else ''}, "
-                f"{len(self.edges['length'])} edges of length {length:.1f})")
+        return (f"Graph({_arrays.counted(len(self.nodes['kind']), 'node')}{f' ({of})' if of else ''}, "
+                f"{_arrays.counted(len(self.edges['length']), 'edge')} of length {length:.1f})")
 
     def plot(self, ax: Any = None) -> Any:
         """Draws edges as lines and nodes as points in a matplotlib Axes, the current one by default; returns it.
@@ -401,7 +401,7 @@ def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
     """Numbers of edges, which are given as such or by a bool for each."""
     chosen = np.asarray(edges)
     if chosen.dtype == bool and chosen.shape != (count,):
-        raise ValueError(f"edges: expected a bool for each of {count} edges, got shape {chosen.shape}")
+        raise ValueError(f"edges: expected bools of shape ({count},), got {chosen.shape}")
     if chosen.ndim != 1:
         raise ValueError(f"edges: expected one dimension, got shape {chosen.shape}")
     if chosen.size and chosen.dtype.kind not in "biu":

@@ -169,6 +169,8 @@ def test_blocks_of_an_image_that_is_not_thin_are_reported():
 def test_a_graph_says_in_a_line_what_it_is():
     cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
     assert repr(thinbench.graph(cross)) == "Graph(5 nodes (4 end, 1 junction), 4 edges of length 5.0)"
+    assert repr(thinbench.graph(cross[1:2])) == "Graph(2 nodes (2 end), 1 edge of length 3.0)"
+    assert repr(thinbench.graph(cross[1:2, :1])) == "Graph(1 node (1 isolated), 0 edges of length 0.0)"
     assert repr(thinbench.graph(np.zeros((2, 2), bool))) == "Graph(0 nodes, 0 edges of length 0.0)"
 
 

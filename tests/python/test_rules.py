@@ -182,6 +182,7 @@ LIFE = '"hensel": "B3/S23", "max_iterations": 1'
     ('{"sub_iterations": [{}]}', "must have raster, makelut"),
     ('{"sub_iterations": [{"raster": "01", "hensel": ""}]}', 'unknown key "hensel"'),
     ('{"sub_iterations": [{"raster": "01"}]}', "got 2 characters"),
+    ('{"sub_iterations": [{"raster": "0"}]}', "got 1 character$"),
     (json.dumps({"sub_iterations": [{"raster": 511 * "0" + "2"}]}), "512 digits 0 and 1"),
     (json.dumps({"sub_iterations": [{"raster": "g" + 127 * "0"}]}), "128 hexadecimal digits"),
     (json.dumps({"sub_iterations": [{"makelut": 512 * [0]}]}), "order: .* None"),
@@ -205,10 +206,11 @@ def test_invalid_files_are_rejected_in_one_line(content, message, tmp_path):
 def test_only_regular_files_of_text_are_read(tmp_path):
     with pytest.raises(FileNotFoundError):
         Rule.load(tmp_path / "none.json")
+    with pytest.raises(IsADirectoryError):
+        Rule.load(tmp_path)
     os.mkfifo(tmp_path / "pipe")
-    for path in (tmp_path, tmp_path / "pipe"):
-        with pytest.raises(ValueError, match="not a regular file"):
-            Rule.load(path)
+    with pytest.raises(ValueError, match="not a regular file"):
+        Rule.load(tmp_path / "pipe")
     (tmp_path / "latin").write_bytes(b'{"name": "\xe9"}')
     with pytest.raises(ValueError, match="not UTF-8 at byte 11"):
         Rule.load(tmp_path / "latin")
