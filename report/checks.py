@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import datetime
 import re
 import subprocess
 import sys
@@ -19,7 +18,7 @@ from report.git import git
 
 DOCUMENT = ROOT / "docs" / "testing.md"
 TABLE = re.compile(r"(?<=<!-- checks: made by check --record -->\n).*?(?=<!-- end -->)", re.DOTALL)
-HEADER = ("command", "commit", "date", "processor", "minutes", "result")
+HEADER = ("command", "commit", "minutes", "result")
 
 SUMMARIES = (r"tests failed out of (?P<tests>\d+)", r"(?P<text>\d+ passed.*) in ", r"(?P<text>killed: .*)",
              r"(?P<text>\d+ targets, .*)", r"(?P<text>memory: .*)", r"(?P<text>every type has one definition)",
@@ -49,8 +48,7 @@ def record(command: Sequence[str], document: Path = DOCUMENT) -> int:
     if process.returncode == 0:
         minutes = f"{(time.monotonic() - start) / 60:.1f}"
         words = [word for word in command[1:] if word != "--no-install"]
-        row = [f"`{' '.join(['./check', *words])}`", commit, datetime.date.today().isoformat(), processor(),
-               minutes, summary(lines)]
+        row = [f"`{' '.join(['./check', *words])}`", commit, minutes, summary(lines)]
         write_file(document, with_row(document.read_text(encoding="utf-8"), row).encode())
     return process.returncode
 
@@ -64,7 +62,7 @@ def with_row(text: str, row: Sequence[str]) -> str:
         cells = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
                  for line in found[0].splitlines()[2:]]
         rows = {check_of(one): one for one in (*cells, row)}
-        return markdown_table(HEADER, [one for _, one in sorted(rows.items())], frozenset((4,)))
+        return markdown_table(HEADER, [one for _, one in sorted(rows.items())], frozenset((2,)))
     filled, found = TABLE.subn(table, text, count=1)
     if not found:
         raise ReportError("--record: docs/testing.md has no table of checks")
@@ -79,12 +77,6 @@ def clean_commit() -> str:
     if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs/testing.md"):
         raise ReportError("--record: tracked files differ from the commit; commit them first")
     return commit
-
-
-def processor(file: Path = Path("/proc/cpuinfo")) -> str:
-    """As the system names it."""
-    found = re.search(r"^model name\s*: (.*)", file.read_text(encoding="utf-8"), re.MULTILINE)
-    return found[1] if found else "unknown"
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -22,10 +22,10 @@ def test_the_last_words_of_a_check_are_its_result(said, noted):
 DOCUMENT = """Before.
 
 <!-- checks: made by check --record -->
-| command | commit | date | processor | minutes | result |
-| --- | --- | --- | --- | ---: | --- |
-| `./check asan` | 9876543210 | 2026-01-02 | old \\| | 44.1 | 6 tests |
-| `./check tsan` | 9876543210 | 2026-01-02 | old \\| | 26.8 | 5 tests |
+| command | commit | minutes | result |
+| --- | --- | ---: | --- |
+| `./check asan` | 9876543210 | 44.1 | 6 \\| tests |
+| `./check tsan` | 9876543210 | 26.8 | 5 \\| tests |
 <!-- end -->
 
 After.
@@ -49,7 +49,7 @@ def test_a_check_that_passed_is_noted_with_its_commit_in_place_of_its_last_row(t
     assert "0 tests failed" in capsys.readouterr().out
     before = DOCUMENT.splitlines()
     row = lines.pop(5)
-    assert row.startswith("| `./check asan -n 3` | 0123456789 | 20") and row.endswith(" | 0.0 | 7 tests |")
+    assert row == "| `./check asan -n 3` | 0123456789 | 0.0 | 7 tests |"
     assert lines == before[:5] + before[6:]
 
 
