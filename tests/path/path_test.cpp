@@ -94,6 +94,11 @@ TEST(FindPath, says_why_there_is_none) {
             "start: at row 0, column 6 there is room for a width of 2, not of 3");
   EXPECT_EQ(rejected({{3, 4}, {11, 4}, 5}),
             "no path from row 4, column 3 to row 4, column 11 is 5 pixels wide");
+  const ByteImage walls = image_of({"#.#"});
+  EXPECT_EQ(rejection_of([&] {
+              static_cast<void>(find_path(walls.view(), {{0, 0}, {2, 0}, 1}));
+            }),
+            "no path from row 0, column 0 to row 0, column 2 is 1 pixel wide");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
             "width: expected a finite number from 0 up, got inf");
