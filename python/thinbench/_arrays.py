@@ -137,8 +137,8 @@ def destination(out: Array) -> bytes:
     return _library.OUTPUT.pack(_library.address(out), width, height * width, out.dtype == _BOOL)
 
 
-def integer(name: str, value: Any, bits: int = 31) -> int:
-    """An integer in the range of the C interface, where it has so many bits and a sign."""
+def integer(name: str, value: Any) -> int:
+    """An integer in the range of the C interface."""
     if type(value) is int and -(2**31) <= value < 2**31:
         return value
     if isinstance(value, (bool, np.bool_)):
@@ -147,8 +147,8 @@ def integer(name: str, value: Any, bits: int = 31) -> int:
         number = operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: expected an integer, got {value!r}") from None
-    if not -(2**bits) <= number < 2**bits:
-        raise ValueError(f"{name}: expected less than 2**{bits} in magnitude, got {number}")
+    if not -(2**31) <= number < 2**31:
+        raise ValueError(f"{name}: expected less than 2**31 in magnitude, got {number}")
     return number
 
 

@@ -89,7 +89,7 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     connectivity : {8, 4}
         Of objects; holes have the other one.
     max_area : int, optional
-        Fill only holes of at most so many pixels, 0 to 2**63 - 1, not counting objects inside them,
+        Fill only holes of at most so many pixels, 0 to 2**31 - 1, not counting objects inside them,
         which stay as they are.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
@@ -142,7 +142,7 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
     connectivity : {8, 4}
         Of labels; holes have the other one.
     max_area : int, optional
-        Fill only holes of which at most so many pixels, 0 to 2**63 - 1, are to be filled.
+        Fill only holes of which at most so many pixels, 0 to 2**31 - 1, are to be filled.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
@@ -187,7 +187,7 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
 
 
 def _hole_area(max_area: int | None) -> int:
-    return _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area, 63)
+    return _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
 
 
 def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threads: int = 1) -> int:

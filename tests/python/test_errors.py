@@ -197,7 +197,6 @@ def test_masked_elements_are_rejected(function):
     (lambda: thinbench.label(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=-1), ValueError, "max_area: expected"),
-    (lambda: thinbench.fill_holes(IMAGE, max_area=2**63), ValueError, "max_area: expected less than 2**63 in"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=1.5), TypeError, "max_area: expected"),
     (lambda: thinbench.fill_label_holes(np.ones((2, 2), int), connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_label_holes(np.ones((2, 2), int), max_area=-1), ValueError, "max_area: expected"),

@@ -10,7 +10,6 @@
 
 #include "cli/arguments.hpp"
 #include "cli/thinning_request.hpp"
-#include "cli/usage.hpp"
 #include "support/file_error.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/graph_labels.hpp"
@@ -121,12 +120,7 @@ void check_graph_size(const std::string& file, Index width, Index height) {
 std::string checked_thinning(const GraphRequest& request) {
   if (request.is_skeleton()) return {};
   const RequestedThinning thinning = thinning_of(request);
-  try {
-    check_options(thinning);
-  } catch (const UsageError&) {
-    throw UsageError("--thinning: " + thinning.name +
-                     " adds and removes pixels, so it may never end; it is no thinning");
-  }
+  check_options(thinning);
   return thinning.contents;
 }
 

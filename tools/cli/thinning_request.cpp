@@ -178,11 +178,7 @@ void check_options(const RequestedThinning& requested) {
   try {
     const Thinner on_one_pixel(requested.rule, 1, 1, thinning);
   } catch (const std::invalid_argument& error) {
-    constexpr std::string_view name = "max_iterations";
-    std::string text = error.what();
-    if (text.ends_with(name))
-      text.replace(text.size() - name.size(), name.size(), "--max-iterations");
-    throw UsageError(text);
+    throw UsageError(error.what());
   }
 }
 
