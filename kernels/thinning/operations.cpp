@@ -54,8 +54,8 @@ ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinnin
   });
   require(max_iterations != kUnlimited || !body->adds_pixels() || !body->removes_pixels(), [&] {
     return name +
-           ": this rule adds and removes pixels, so it may never end; it needs a limit of "
-           "iterations";
+           ": this rule adds and removes pixels, so it may never end; it needs a limit "
+           "(max_iterations)";
   });
   if (border != Border::foreground) return {body, border, max_iterations, false};
   require(body->complement != nullptr,

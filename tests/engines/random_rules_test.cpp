@@ -342,8 +342,8 @@ TEST(Rules, name_what_is_wrong) {
       {[&] { Rule(life, {.max_iterations = 0}); }, "expected an integer of at least 1, got 0"},
       {[&] { Rule(life, {.border = static_cast<Border>(9)}); }, "border: expected background, "},
       {[&] { thin(Rule(life), image.view(), image.view()); },
-       "custom: this rule adds and removes pixels, so it may never end; it needs a limit of "
-       "iterations"},
+       "custom: this rule adds and removes pixels, so it may never end; it needs a limit "
+       "(max_iterations)"},
       {[&] { static_cast<void>(Rule::named("magic")); }, "rule: expected a name, got 'magic'"}};
   for (const auto& [call, part] : cases) expect_rejected(call, part);
 }
