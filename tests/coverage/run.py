@@ -19,6 +19,7 @@ from typing import Any
 
 from report.building import build
 from report.errors import ReportError
+from report.formatting import counted
 
 ROOT = Path(__file__).resolve().parents[2]
 EXPLAINED = Path(__file__).with_name("explained.txt")
@@ -157,6 +158,13 @@ def export(programs: Path, library: Path, profiles: Path) -> dict[str, FileCover
     return {str(Path(name).resolve().relative_to(ROOT)): files for name, files in found.items()}
 
 
+def check_counts(log: str) -> None:
+    """Fails if programs could not add their counts, as another has taken the name of their file."""
+    lost = re.findall(r"^LLVM Profile Error: Profile Merging of file (\S+) failed", log, re.MULTILINE)
+    if lost:
+        raise ReportError(f"{counted(len(lost), 'test')} lost their counts; the first: {lost[0]} is of another program")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="./check coverage", description=__doc__)
     parser.add_argument("--report-only", action="store_true", help="take the counts of the last run of the tests")
@@ -170,6 +178,7 @@ def main() -> int:
                                env=environment, check=False)
         if tests.returncode != 0:
             return tests.returncode
+        check_counts((BUILD / "Testing" / "Temporary" / "LastTest.log").read_text(encoding="utf-8", errors="replace"))
     if not profiles.is_dir():
         raise ReportError("there are no counts of an earlier run; leave out --report-only")
     files = export(BUILD / "bin", BUILD / "python" / "thinbench" / "libthinbench.so", profiles)

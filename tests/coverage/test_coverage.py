@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
+import pytest
+
+from report.errors import ReportError
 from tests.coverage.run import (
-    FileCoverage, explanations, gaps, is_for_compilers, parse_branches, parse_lcov, summary)
+    FileCoverage, check_counts, explanations, gaps, is_for_compilers, parse_branches, parse_lcov, summary)
 
 NAME = "kernels/api/edges.cpp"
 
@@ -44,6 +47,12 @@ def test_a_gap_without_a_reason_and_a_reason_without_a_gap_are_wrong() -> None:
     assert wrong == ["explained.txt names kernels/api/many.cpp, which has no gap",
                      f"{NAME} has a gap that explained.txt does not explain"]
     assert gaps(coverage(), {NAME: "out of memory"})[1] == []
+
+
+def test_counts_that_could_not_be_added_are_an_error() -> None:
+    check_counts("LLVM Profile Note: all is well\n")
+    with pytest.raises(ReportError, match="1 test lost their counts; the first: /a/7_0.profraw is of another program"):
+        check_counts("Passed\nLLVM Profile Error: Profile Merging of file /a/7_0.profraw failed: File exists\n")
 
 
 SOURCE = """int used() {
