@@ -119,6 +119,14 @@ TEST(ThinMany, equals_the_reference_by_rules_that_add_and_remove_pixels) {
   }
 }
 
+TEST(ThinMany, equals_the_reference_on_more_images_of_one_size_than_the_cache_holds) {
+  ImageList list;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    list.images.emplace_back(noise_image(120, 120, 85, 3, seed), 0);
+  }
+  expect_reference(Rule::guo_hall, list, {});
+}
+
 TEST(ThinMany, takes_no_iteration_without_images_and_one_for_images_without_pixels) {
   EXPECT_EQ(thin_many(Rule::guo_hall, {}, {}), 0);
   const ConstImageView source[] = {{nullptr, 0, 5}, {nullptr, 5, 0}};
