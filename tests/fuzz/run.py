@@ -16,6 +16,7 @@ from pathlib import Path
 
 from report.building import build
 from report.errors import ReportError
+from report.formatting import counted
 from report.progress import Progress
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -111,8 +112,8 @@ def table(outcomes: Sequence[Outcome]) -> str:
         lines.append(f"{outcome.target:16} {outcome.executions:12,} {speed:11,.0f} "
                      f"{outcome.coverage:7,}  {found}")
     executions = sum(outcome.executions for outcome in outcomes)
-    found = sum(outcome.failed for outcome in outcomes)
-    return "\n".join([*lines, f"{len(outcomes)} targets, {executions:,} executions, found by {found}"])
+    failures = sum(outcome.failed for outcome in outcomes)
+    return "\n".join([*lines, f"{counted(len(outcomes), 'target')}, {executions:,} executions, {failures} failed"])
 
 
 def positive(text: str) -> float:

@@ -40,7 +40,7 @@ def test_nothing_found_is_status_0_with_executions_and_coverage(
     heading, line, total = capsys.readouterr().out.splitlines()
     assert heading.split() == ["target", "executions", "per", "second", "edges", "found"]
     assert line.split()[:2] == ["quiet", "500"] and line.split()[3:] == ["7", "nothing"]
-    assert total == "1 targets, 500 executions, found by 0"
+    assert total == "1 target, 500 executions, 0 failed"
 
 
 def test_a_finding_is_status_1_and_the_path_of_the_input(
