@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
 import re
 import subprocess
@@ -90,7 +91,7 @@ def last_number(pattern: str, text: str) -> int:
 def run_all(names: Sequence[str], total: float, jobs: int) -> list[Outcome]:
     """Splits the time among the targets, `jobs` of which run at a time."""
     each = max(1, round(total * jobs / len(names)))
-    expected = each * len(names) / jobs
+    expected = each * math.ceil(len(names) / jobs)
     progress = Progress("fuzzing", expected)
     start = time.monotonic()
     with ThreadPoolExecutor(jobs) as pool:
