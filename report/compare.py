@@ -25,7 +25,7 @@ EPILOG = """Runs are compared with the first one: ratios of times, and of speed-
 reference of the same run. Inputs that are not equal pixel by pixel are not compared.
 
 examples:
-  ./study compare results/*/2026-11-21-*
+  ./study compare results/*/2026-*
   ./study compare before after --out /tmp/comparison
 
 Exit status: 0 done, 1 a directory holds no run or nothing can be compared, 2 wrong usage."""

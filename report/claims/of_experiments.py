@@ -56,9 +56,7 @@ def twelve_nets(data: Json | None) -> Claim:
         return open_claim(claim, "thinbench-study experiment cluster-runs")
     needed = len(data["rows"])
     verdict = Verdict.of([needed <= PAPER_NETS])
-    exact = "exactly as many" if needed == PAPER_NETS else "fewer"
-    why = (f"The fewest that runs of descriptors can be cut into is {exact}."
-           if verdict is Verdict.HOLDS else "No cut into runs of descriptors has so few.")
+    why = f"Descriptors cannot be cut into {'fewer' if verdict is Verdict.HOLDS else 'so few'} runs."
     return Claim(claim, verdict, f"{needed} nets are needed and enough", why, data["command"])
 
 

@@ -145,10 +145,11 @@ def _pages(run: Run, folder: Path) -> str:
     where = os.path.relpath(run.directory, folder)
     open_rows = sum(row.flags == "open" for row in run.rows)
     failed, groups = (run.facts["controls"][name] for name in ("failed", "groups"))
+    verdict = "" if run.is_conclusive else ", over 5 %: differences between rows are inconclusive"
     return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread; run of commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
             f"{open_rows:,} of {len(run.rows):,} results did not settle, and the controls of {failed} of {groups} groups "
-            "failed.\n")
+            f"failed{verdict}.\n")
 
 
 def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
