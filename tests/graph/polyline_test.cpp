@@ -137,6 +137,9 @@ double processor_seconds(const Method& method) {
 
 // Each of the 2400 corners but a few is split off by a look at all that is left.
 TEST(Polyline, of_a_wave_of_growing_amplitude_takes_a_small_part_of_the_plain_method_s_time) {
+#ifndef __OPTIMIZE__
+  GTEST_SKIP() << "says nothing about code that is not optimised";
+#endif
   const Line line = square_wave(600, 2, 2, false);
   const double plain = processor_seconds([&] { return reference::polyline(line, 0.5); });
   EXPECT_LT(processor_seconds([&] { return polyline(line, 0.5); }), plain / 2);
