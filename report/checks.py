@@ -21,7 +21,7 @@ TABLE = re.compile(r"(?<=<!-- checks: made by check --record -->\n).*?(?=<!-- en
 HEADER = ("command", "commit", "minutes", "result")
 
 SUMMARIES = (r"tests failed out of (?P<tests>\d+)", r"(?P<text>\d+ passed.*) in ", r"(?P<text>killed: .*)",
-             r"(?P<text>\d+ targets, .*)", r"(?P<text>memory: .*)", r"(?P<text>every type has one definition)",
+             r"(?P<text>\d+ targets?, .*)", r"(?P<text>memory: .*)", r"(?P<text>every type has one definition)",
              r"^(?P<text>[\d.]+ % of lines, .*)")
 """How the commands say what they did: CTest, pytest, mutants, fuzz, soak, odr, coverage."""
 

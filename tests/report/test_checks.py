@@ -11,6 +11,7 @@ from report.errors import ReportError
 @pytest.mark.parametrize(("said", "noted"), [
     (["100% tests passed, 0 tests failed out of 2210", "Total Test time (real) = 5 s"], "2,210 tests"),
     (["13 targets, 5,000 executions, 0 failed"], "13 targets, 5,000 executions, 0 failed"),
+    (["1 target, 5 executions, 0 failed"], "1 target, 5 executions, 0 failed"),
     (["killed: 298 of 300, 99.3 %; required: 98 %"], "killed: 298 of 300, 99.3 %; required: 98 %"),
     (["98.60 % of lines, 95.20 % of branches"], "98.60 % of lines, 95.20 % of branches"),
     (["====== 12 passed, 1 skipped in 3.1s ======"], "12 passed, 1 skipped"),
