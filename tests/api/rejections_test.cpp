@@ -250,14 +250,14 @@ TEST(Colours, share_no_byte_with_their_grey_levels) {
 TEST(Binarisation, has_ranges) {
   Untouched memory;
   const ImageView image = {memory.data(), 20, 8, 64};
-  for (const auto& [request, part] : std::vector<std::pair<Binarisation, std::string>>{
+  for (const auto& [wrong, part] : std::vector<std::pair<Binarisation, std::string>>{
            {{.threshold = -1}, "threshold: expected an integer in [0, 255], got -1"},
            {{.threshold = 256}, "got 256"},
            {{.threshold = 5, .local = LocalThreshold{}}, "a level or a local threshold, not both"},
            {{.local = LocalThreshold{.window = 4}}, "window: expected an odd integer"},
            {{.local = LocalThreshold{.window = 1}}, "in [3, 65535], got 1"},
            {{.local = LocalThreshold{.offset = -1}}, "offset: expected an integer in [0, 255]"}}) {
-    expect_rejected([&, &request = request] { (void)binarise(image, image, request); }, part);
+    expect_rejected([&, &request = wrong] { (void)binarise(image, image, request); }, part);
   }
 }
 
