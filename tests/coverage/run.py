@@ -164,7 +164,7 @@ def check_counts(log: str) -> None:
     """Fails if programs could not add their counts, as another has taken the name of their file."""
     lost = re.findall(r"^LLVM Profile Error: Profile Merging of file (\S+) failed", log, re.MULTILINE)
     if lost:
-        raise ReportError(f"{counted(len(lost), 'test')} lost their counts; the first: {lost[0]} is of another program")
+        raise ReportError(f"the counts of {counted(len(lost), 'test')} are lost; the first: {lost[0]} is of another program")
 
 
 def main() -> int:

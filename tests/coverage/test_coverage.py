@@ -50,7 +50,7 @@ def test_a_gap_without_a_reason_is_wrong_and_a_reason_without_a_gap_is_shown() -
 
 def test_counts_that_could_not_be_added_are_an_error() -> None:
     check_counts("LLVM Profile Note: all is well\n")
-    with pytest.raises(ReportError, match="1 test lost their counts; the first: /a/7_0.profraw is of another program"):
+    with pytest.raises(ReportError, match="the counts of 1 test are lost; the first: /a/7_0.profraw is of another program"):
         check_counts("Passed\nLLVM Profile Error: Profile Merging of file /a/7_0.profraw failed: File exists\n")
 
 

@@ -128,7 +128,7 @@ def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):
 
 
 @pytest.mark.parametrize("words, said", [
-    (["--start", "640,5", "--goal", "590,80"], 
+    (["--start", "640,5", "--goal", "590,80"],
      "start: row 5, column 640 is outside the map of 640 x 480 pixels; free space is "),
     (["--start", "40", "--goal", "590,80"], "--start: expected X,Y such as 120,45, got '40'"),
     (["--start", "-1,5", "--goal", "590,80"], "--start"),
