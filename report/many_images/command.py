@@ -41,13 +41,9 @@ class Sizes:
     rounds: int = 15
     dask_side: int = 3000
     chunk_sides: tuple[int, ...] = (250, 500, 1000, 1500)
-    scale: int = 4  # of the scene in the image for out of core
-    large_side: int = 20000
-    limits: tuple[str, ...] = ("4M", "16M", "64M")
 
 
-QUICK = Sizes(files=8, loop_files=2, rounds=2, dask_side=600, chunk_sides=(200, 300), scale=1,
-              large_side=2000, limits=("1M",))
+QUICK = Sizes(files=8, loop_files=2, rounds=2, dask_side=600, chunk_sides=(200, 300))
 
 
 def add_many_images_command(parser: argparse.ArgumentParser) -> None:
@@ -114,18 +110,14 @@ def _ignore_interrupts() -> None:
 
 def _steps(program: Path, work: Path, sizes: Sizes, client: Any, cores: int) -> list[Any]:
     """Draws inputs."""
-    from report.many_images.inputs import draw_files, draw_packed, draw_scene, repeated
-    from report.many_images.of_arrays import DaskSteps, large_steps
+    from report.many_images.inputs import draw_files, draw_scene, repeated
+    from report.many_images.of_arrays import DaskSteps
     from report.many_images.of_calls import call_steps
     from report.many_images.of_files import image_steps, worker_steps
     files = draw_files(draw_scene(program, work), work / "files", sizes.files)
     binary = draw_scene(program, work, "--binary")
     image = repeated(binary, sizes.dask_side, sizes.dask_side)
-    packed = work / "large.pbm"
-    draw_packed(draw_scene(program, work, "--binary", "--scale", str(sizes.scale)), packed,
-                sizes.large_side)
     return [*image_steps(program, files[:sizes.loop_files], work),
             *worker_steps(program, files, work, client, cores),
             *call_steps(binary),
-            *DaskSteps(image, client, cores).steps(list(sizes.chunk_sides)),
-            *large_steps(program, packed, sizes.large_side, list(sizes.limits))]
+            *DaskSteps(image, client, cores).steps(list(sizes.chunk_sides))]

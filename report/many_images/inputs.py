@@ -44,12 +44,3 @@ def repeated(scene: Image, side: int, rows: int) -> npt.NDArray[np.bool_]:
     """`rows` rows of a binary image that consists of copies of the scene."""
     copies = (-(-rows // scene.shape[0]), -(-side // scene.shape[1]))
     return np.tile(scene != 0, copies)[:rows, :side]
-
-
-def draw_packed(scene: Image, file: Path, side: int) -> None:
-    """A square PBM file of copies of the scene."""
-    packed = np.packbits(repeated(scene, side, len(scene)), axis=1)
-    with file.open("wb") as out:
-        out.write(f"P4\n{side} {side}\n".encode())
-        for top in range(0, side, len(scene)):
-            out.write(packed[:side - top].tobytes())

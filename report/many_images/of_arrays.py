@@ -1,14 +1,11 @@
-"""Steps on large binary images: dask beside one call, and out of core beside in memory."""
+"""Steps on large binary images: dask beside one call."""
 
 from __future__ import annotations
 
 import hashlib
-import subprocess
 import time
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
-from resource import RUSAGE_CHILDREN, getrusage
 from typing import Any
 
 import dask
@@ -19,7 +16,7 @@ from distributed import wait
 
 import thinbench
 import thinbench.dask
-from report.many_images.steps import CHUNKS, IN_MEMORY, LARGE, Figures, Key, Step
+from report.many_images.steps import CHUNKS, IN_MEMORY, Figures, Key, Step
 
 THREADS, WORKERS = "threads of one process", "worker processes"
 
@@ -73,32 +70,3 @@ class DaskSteps:
             self.latest = run()
             epochs.append(1e9 * (clock() - start) / self.image.size)
         return {"ns_per_pixel": epochs}
-
-
-def large_steps(program: Path, file: Path, side: int, limits: list[str]) -> list[Step]:
-    """`file` is a square."""
-    base = Key(LARGE, IN_MEMORY, side)
-    ways: dict[Key, list[str]] = {base: []}
-    ways |= {Key(LARGE, f"--memory {limit}", side): ["--out-of-core", "--memory", limit]
-             for limit in limits}
-    steps = []
-    for key, words in ways.items():
-        out = file.with_name(f"out_{len(steps)}.pbm")
-        command = [str(program), "run", "thin_guo_hall", str(file), str(out), "--threads", "1",
-                   *words]
-        steps.append(Step(key, base, partial(_run_large, command, side),
-                          partial(_digest_of_file, out)))
-    return steps
-
-
-def _digest_of_file(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
-
-
-def _run_large(command: list[str], side: int) -> Figures:
-    """The program's start is included."""
-    before, start = getrusage(RUSAGE_CHILDREN), time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True)
-    wall, after = time.perf_counter() - start, getrusage(RUSAGE_CHILDREN)
-    processor = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return {"ns_per_pixel": [1e9 * processor / side**2], "wall_ns_per_pixel": [1e9 * wall / side**2]}

@@ -12,7 +12,7 @@ from report.errors import ReportError
 from report.measure.estimates import Floor, floor_of
 from report.progress import Progress
 
-IMAGES, WORKERS, CALLS, CHUNKS, LARGE = "images", "workers", "calls", "dask", "out_of_core"
+IMAGES, WORKERS, CALLS, CHUNKS = "images", "workers", "calls", "dask"
 """The experiments."""
 
 IN_MEMORY = "in memory"

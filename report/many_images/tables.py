@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from report.formatting import duration, interval, markdown_table, three_digits
 from report.many_images.results import Result, series
-from report.many_images.steps import CALLS, CHUNKS, IMAGES, IN_MEMORY, LARGE, STAGES, WORKERS
+from report.many_images.steps import CALLS, CHUNKS, IMAGES, IN_MEMORY, STAGES, WORKERS
 
 
 def _images(results: list[Result]) -> str:
@@ -45,14 +45,6 @@ def _dask(results: list[Result]) -> str:
                            "processor time / that of one call"], lines, frozenset({2, 3}))
 
 
-def _out_of_core(results: list[Result]) -> str:
-    walls = dict(_lines(results, LARGE, "wall_ns_per_pixel"))
-    lines = [[method, three_digits(one.time), _ratio(one), _ratio(walls[method])]
-             for method, one in _lines(results, LARGE, "ns_per_pixel")]
-    return markdown_table(["", "processor time per pixel, ns", "ratio to in memory",
-                           "wall time, ratio"], lines, frozenset({1, 2, 3}))
-
-
 def _lines(results: list[Result], experiment: str, quantity: str) -> Iterator[tuple[str, Result]]:
     """Each result with its method, by method."""
     for method, curve in series(results, experiment, quantity).items():
@@ -67,5 +59,5 @@ def _ratio(one: Result) -> str:
 
 
 TABLES: dict[str, Callable[[list[Result]], str]] = {
-    IMAGES: _images, WORKERS: _workers, CALLS: _calls, CHUNKS: _dask, LARGE: _out_of_core}
+    IMAGES: _images, WORKERS: _workers, CALLS: _calls, CHUNKS: _dask}
 """By experiment."""

@@ -32,26 +32,12 @@ TEST_F(PackedRun, thins_pbm_in_memory) {
               header + bits(thinned(Rule::guo_hall, image, {.max_iterations = 4})));
 }
 
-TEST_F(PackedRun, thins_pbm_out_of_core) {
-  const std::string text =
-      output_of("run thin_mb2 in.pbm out.pbm --out-of-core --memory 1M --threads 8 --border keep");
-  const std::regex lines(R"(thin_mb2: 1203 x 900, \d+ iterations, \d+ foreground )"
-                         R"(pixels before, \d+ after, \d+\.\d{3} ms\n)"
-                         R"(\d+ tiles of \d+ x \d+ in \d+ passes\n)");
-  EXPECT_TRUE(std::regex_match(text, lines)) << text;
-  EXPECT_TRUE(bytes_of("out.pbm") ==
-              header + bits(thinned(Rule::mb2, image, {.border = Border::keep})));
-  EXPECT_EQ(names(), (Names{"in.pbm", "out.pbm"}));
-}
-
-TEST_F(PackedRun, thins_raw_bits_in_both_orders_in_memory_and_out_of_core) {
+TEST_F(PackedRun, thins_raw_bits_in_both_orders) {
   for (const auto& [order, name] :
        {std::pair{BitOrder::msb_first, "msb"}, {BitOrder::lsb_first, "lsb"}}) {
-    for (const std::string more : {"", " --out-of-core --memory 1M"}) {
-      put("raw", bits(image, order));
-      output_of("run thin_zhang_suen raw raw --raw 1203x900 --bit-order " + (name + more));
-      EXPECT_TRUE(bytes_of("raw") == bits(thinned(Rule::zhang_suen, image), order)) << name << more;
-    }
+    put("raw", bits(image, order));
+    output_of("run thin_zhang_suen raw raw --raw 1203x900 --bit-order " + std::string(name));
+    EXPECT_TRUE(bytes_of("raw") == bits(thinned(Rule::zhang_suen, image), order)) << name;
   }
 }
 
@@ -81,19 +67,8 @@ TEST_F(PackedRun, what_does_not_apply_to_packed_files_is_rejected) {
       {2, run + "--foreground dark", {"--foreground" + grey}},
       {2, run + "--threshold 12", {"--threshold" + grey}},
       {2, run + "--raw 12x", {"--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '12x'"}},
-      {2, run + "--memory 1G", {"--out-of-core"}},
-      {2, run + "--resume", {"--out-of-core"}},
       {2, run + "--bit-order lsb", {"--raw"}},
-      {2,
-       "run thin_guo_hall in.pbm out.png --out-of-core",
-       {"--out-of-core writes .pbm, .tif and .tiff", "got 'out.png'"}},
-      {1, "run thin_spta in.pbm out.pbm --out-of-core", {"thin_spta cannot run on tiles"}},
   });
-  for (const std::string memory : {"0", "1023K", "12Q", "M", "99999999999T"}) {
-    expect_rejected({2,
-                     run + "--out-of-core --memory " + memory,
-                     {"--memory: expected 1M to 1048576T bytes", "got '" + memory + "'"}});
-  }
 }
 
 }  // namespace

@@ -64,17 +64,6 @@ TEST_F(PackedTiff, other_tiff_images_remain_grey) {
   EXPECT_EQ(tiff_tag("out.tif", TIFFTAG_BITSPERSAMPLE), 8);
 }
 
-TEST_F(PackedTiff, thins_out_of_core) {
-  for (const std::string foreground : {"auto", "bright"}) {
-    const std::string out =
-        output_of(kRun + "--out-of-core --memory 1M --threads 8 --foreground " + foreground);
-    expect_holds(out, " tiles of ");
-    EXPECT_EQ(tiff_tag("out.tif", TIFFTAG_COMPRESSION), COMPRESSION_CCITTFAX4);
-    expect_image("out.tif", thinned(Rule::guo_hall, foreground == "auto" ? ink : paper));
-    EXPECT_EQ(names(), (Names{"out.tif", "page.tif"}));
-  }
-}
-
 TEST_F(PackedTiff, damaged_file_is_one_line_and_leaves_nothing) {
   std::string damaged = bytes_of("page.tif");
   for (std::size_t i = 100; i < 200; ++i) damaged[i] = '\0';
@@ -83,30 +72,10 @@ TEST_F(PackedTiff, damaged_file_is_one_line_and_leaves_nothing) {
         {plain_tiff(99, 9, 0, 1, "abc"), "truncated"},
         {plain_tiff(4'000'000'000, 1000, 0, 1, ""), "expected 1 to 2^40 pixels"}}) {
     put("page.tif", content);
-    for (const std::string option : {"--max-iterations=3", "--out-of-core"}) {
-      testing::internal::CaptureStderr();
-      expect_rejected({1, kRun + option, {"cannot read 'page.tif': ", reason}});
-      EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-    }
+    testing::internal::CaptureStderr();
+    expect_rejected({1, kRun + "--max-iterations 3", {"cannot read 'page.tif': ", reason}});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   }
-}
-
-TEST_F(PackedTiff, what_does_not_run_out_of_core_is_rejected) {
-  write_tiff("tiled.tif", ink.view(), {.tile = 64});
-  const ByteImage large = noise_image(4000, 4000, 50, 1, 3);
-  write_tiff("large.tif", large.view(),
-             {COMPRESSION_LZW, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, 4000});
-  put("in.pbm", "P4 8 1 1");
-  expect_rejected({
-      {1,
-       "run thin_guo_hall in.pbm out.tif --out-of-core",
-       {"cannot read 'in.pbm': it is not a TIFF file, as OUT requires"}},
-      {1,
-       "run thin_guo_hall tiled.tif out.tif --out-of-core",
-       {"cannot read 'tiled.tif': it is not a TIFF image of 1 bit per pixel in strips"}},
-      {2, kRun + "--out-of-core --threshold 3", {"--threshold does not apply to packed files"}},
-      {1, "run thin_guo_hall large.tif out.tif --out-of-core --memory 1M", {"reading it takes "}},
-  });
 }
 
 }  // namespace

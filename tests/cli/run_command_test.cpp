@@ -148,7 +148,7 @@ TEST_F(RunCommand, rejects_files_that_cannot_be_read_or_written_with_the_reason)
       {1, "run thin_guo_hall absent.png out.png", {"'absent.png'", "there is no such file"}},
       {1, "run thin_guo_hall in.png absent/a.png", {"'absent/a.png'", "no directory 'absent'"}},
       {1, "run net_two_layer_linear in.png out.png --weights pipe", {"not a regular file"}},
-      {1, "run thin_guo_hall pipe raw --raw 8x1 --out-of-core", {"not a regular file"}},
+      {1, "run thin_guo_hall pipe raw --raw 8x1", {"not a regular file"}},
   });
 }
 

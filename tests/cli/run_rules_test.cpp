@@ -73,7 +73,7 @@ TEST_F(RunRules, packed_files_take_every_rule) {
   put("in.pbm", packed(noise()));
   output_of("run majority in.pbm out.pbm");
   EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("majority"))));
-  output_of("run golay_l in.pbm out.pbm --out-of-core");
+  output_of("run golay_l in.pbm out.pbm");
   EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("golay_l"))));
 }
 

@@ -28,7 +28,6 @@ COMMANDS = {
     "run_grey_tiff": "thinbench run thin_guo_hall {}/large.pgm out.tif --threads 2",
     "run_pbm": "thinbench run thin_guo_hall {}/a.pbm out.pbm",
     "run_tiff": "thinbench run thin_guo_hall {}/a.tif out.tif",
-    "out_of_core": "thinbench run thin_guo_hall {}/a.pbm out.pbm --out-of-core --memory 1M",
     "holes": "thinbench holes {}/large.png --threads 2",
     "overlay": "thinbench holes {}/large.png --overlay out.png",
     "edges": "thinbench edges {}/large.png out.png --threads 2",
@@ -122,7 +121,7 @@ FULL = Fault("file size limit", limit(resource.RLIMIT_FSIZE, 16))
 FULL_OUT = Fault("/dev/full", out="/dev/full")
 DRAWERS = ["overlay", "localise_overlay", "graph_overlay", "path_overlay"]
 PIXELS = ["fill_holes", "labels", "distance"]
-WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_core", "edges", "batch", "batch_holes",
+WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "edges", "batch", "batch_holes",
            "batch_table", "csv", "rule", "save", "train", "instructions", "scene", *DRAWERS, *PIXELS]
 PRINTERS = ["holes", "euler", "localise", "graph", "path"]
 
@@ -143,11 +142,11 @@ SMALL_DISK = ('mount -t tmpfs -o size=4k none "$PWD" && cd "$PWD" && "$@" >/dev/
               'status=$?; ls -A; exit $status')
 
 
-@pytest.mark.parametrize("name", ["run_pgm", "scene", "out_of_core", *DRAWERS, "distance"])
+@pytest.mark.parametrize("name", ["run_pgm", "scene", *DRAWERS, "distance"])
 def test_disk_of_4_kilobytes(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None]) -> None:
     """As test_full_disk, by a real file system."""
     result = run(words_of(name, inputs), tmp_path, Fault("small disk", prefix=mounted(SMALL_DISK)))
-    result.assert_failed("No space left on device|has 0.0 MB free")
+    result.assert_failed("No space left on device")
     assert result.out == b""
     works(name)
 
@@ -239,7 +238,7 @@ def check_whole(made: Files, expected: Files) -> None:
             assert data == expected[name], name
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "batch_table", "train"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "batch", "batch_table", "train"])
 def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None],
                                   expected: Callable[[str], Files]) -> None:
     """SIGKILL several times; then an undisturbed run."""
@@ -257,7 +256,7 @@ def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works
     works(name)
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "csv", "save", "train", "scene",
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "csv", "save", "train", "scene",
                                   *DRAWERS, *PIXELS])
 def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path: Path,
                                                works: Callable[..., None]) -> None:
@@ -296,7 +295,7 @@ def shim(fault: str) -> Fault:
     return Fault(fault, environment={"LD_PRELOAD": SHIM, "FAULT": fault})
 
 
-MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "edges", "batch", "batch_table", "rule_of_your_own", "train",
+MOST = ["run", "run_grey_tiff", "run_tiff", "edges", "batch", "batch_table", "rule_of_your_own", "train",
         "sampler", *PRINTERS, *PIXELS]
 
 
@@ -337,7 +336,7 @@ def _one_processor() -> None:
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 
 
-@pytest.mark.parametrize("name", ["run_grey_tiff", "out_of_core", "batch", "sampler"])
+@pytest.mark.parametrize("name", ["run_grey_tiff", "batch", "sampler"])
 def test_one_processor(name: str, works: Callable[..., None]) -> None:
     """For several threads."""
     works(name, Fault("one processor", _one_processor))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -232,6 +233,29 @@ def test_a_worker_killed_while_it_computes_gives_the_result_in_memory(tmp_path):
     with dask.config.set(scheduler=None), cluster, distributed.Client(cluster):
         np.testing.assert_array_equal(tb_dask.thin(array).compute(), thinbench.thin(image))
     assert killed.exists()
+
+
+def peak_bytes() -> int:
+    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
+def test_a_worker_with_less_memory_than_the_array_writes_the_result(tmp_path):
+    """It puts chunks on disk, in each round."""
+    distributed = pytest.importorskip("distributed")
+    tile = np.zeros((4000, 4000), bool)
+    tile[200::400] = tile[201::400] = True
+    array = zarr.open(str(tmp_path / "map.zarr"), mode="w", shape=(16000, 24000), chunks=tile.shape, dtype=bool)
+    for top in range(0, 16000, 4000):
+        for left in range(0, 24000, 4000):
+            array[top:top + 4000, left:left + 4000] = tile
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, memory_limit="350MB", dashboard_address=":0",
+                                  local_directory=tmp_path) as cluster, distributed.Client(cluster) as client:
+        skeleton = tb_dask.thin(da.from_zarr(array), out=str(tmp_path / "skeleton.zarr"))
+        (peak,) = client.run(peak_bytes).values()
+    assert peak < array.nbytes
+    part = zarr.open(str(tmp_path / "skeleton.zarr"), mode="r")[:5000, :5000]
+    assert (part == thinbench.thin(np.tile(tile, (2, 2)))[:5000, :5000]).all()
+    assert skeleton.shape == array.shape
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import io
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -44,3 +46,13 @@ def test_blocks_of_a_page_run_and_print_what_it_says(page, plots, tmp_path, monk
         assert printed.getvalue() == expected
     for plot in plots:
         assert (tmp_path / plot).stat().st_size > 10_000
+
+
+def test_the_script_of_large_images_prints_what_its_page_says(tmp_path):
+    """In a process of its own, as dask's workers import the file."""
+    pytest.importorskip("distributed")
+    pytest.importorskip("zarr")
+    (code, expected), = blocks(ROOT / "docs" / "large-images.md")
+    (tmp_path / "script.py").write_text(code, encoding="utf-8")
+    printed = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, check=True, capture_output=True, text=True)
+    assert printed.stdout == expected

@@ -258,8 +258,6 @@ FILES = {
         "graph a.pbm --out", "graph a.pbm --overlay", "holes a.pbm --overlay",
         "path a.pbm --start 1,1 --goal 2,2 --overlay")),
     ("distance a.pbm out.png --spacing 0.0001", 1, "so all become 0; give --spacing in a smaller unit"),
-    ("run thin_guo_hall - out.pbm --out-of-core", 2, "no standard streams"),
-    ("run thin_guo_hall a.pbm - --out-of-core", 2, "no standard streams"),
     ("run thin_guo_hall - out.pbm --raw 999x999 < a.pbm", 1, "cannot read standard input: it has"),
     ("run thin_guo_hall - - < empty", 1, "standard input: the file is empty"),
     ("run thin_guo_hall - - < text", 1, "standard input: it is not an image of a known format"),

@@ -1,5 +1,4 @@
-// thinbench run on TIFF images of 1 bit per pixel: without a byte image in between, in memory or
-// out of core.
+// thinbench run on TIFF images of 1 bit per pixel: without a byte image in between.
 #pragma once
 
 #include <string>
@@ -9,13 +8,13 @@
 
 namespace thinbench {
 
-/// Whether a run goes from such an image to another. Out of core, IN can be nothing else.
+/// Whether a run goes from such an image to another.
 [[nodiscard]] bool is_tiff_run(const PackedOptions& options, const BinariseOptions& binarise,
                                const ThinningFiles& files);
 
 /// Thins and prints remarks and the summary. Pixels and remarks are those of the
 /// same image read as a grey one.
-int run_tiff(const PackedOptions& options, const RequestedThinning& thinning,
-             const BinariseOptions& binarise, const ThinningFiles& files, const Console& console);
+int run_tiff(const RequestedThinning& thinning, const BinariseOptions& binarise,
+             const ThinningFiles& files, const Console& console);
 
 }  // namespace thinbench

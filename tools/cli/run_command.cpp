@@ -47,7 +47,7 @@ int run(const RunOptions& options, const Console& console) {
   const RequestedThinning thinning = requested_thinning(options.thinning);
   check_options(thinning);
   if (is_tiff_run(options.packed, options.binarise, options.files)) {
-    return run_tiff(options.packed, thinning, options.binarise, options.files, console);
+    return run_tiff(thinning, options.binarise, options.files, console);
   }
   if (is_packed_run(options.packed, options.files.out)) {
     reject_for_packed_files(options.binarise);
@@ -93,7 +93,6 @@ Command add_run_command(CLI::App& program) {
   thinbench run my_rule.json parts.png out.png --border foreground --optimise
   thinbench run thin_guo_hall page.pbm skeleton.pbm
   thinbench run thin_guo_hall page.tif skeleton.tif
-  thinbench run thin_guo_hall map.pbm skeleton.pbm --out-of-core --memory 256M
 
 OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
 you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
