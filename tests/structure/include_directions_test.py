@@ -46,10 +46,7 @@ SHARED_WITH_REFERENCES = {"rules/trained_cluster.hpp"}
 SHARED_WITH_TOOLS = {
     "binarise/bright_pixels.hpp",
     "core/byte_image.hpp",
-    "core/checks.hpp",
     "core/startable_threads.hpp",
-    "core/thread_team.hpp",
-    "thinning/operations.hpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
