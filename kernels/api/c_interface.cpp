@@ -31,7 +31,7 @@ template <class Body>
 void for_images(const thinbench_stack* stack, const thinbench_output* output, const Body& body) {
   const ConstStackView source = source_of(stack);
   const StackView destination = destination_of(output, source);
-  check_stacks(source, destination);
+  check_views(source, destination, InPlace::allowed);
   if (source.count == 0 || source.width == 0 || source.height == 0) {
     body({nullptr, source.width, 0}, {nullptr, source.width, 0});
     return;

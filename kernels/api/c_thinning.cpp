@@ -43,7 +43,7 @@ int useful_threads(Index images, int threads) {
 int run_stack(ThinningCall call, const ConstStackView& source, const StackView& destination,
               const thinbench_output* output) {
   constexpr Index part_bytes = Index{1} << 18;
-  check_stacks(source, destination);
+  check_views(source, destination, InPlace::allowed);
   require_threads(call.execution.threads);
   call.execution.threads = useful_threads(source.count, call.execution.threads);
   ThinningBatch batch(call.rule, source.width, source.height, call.thinning, call.execution);

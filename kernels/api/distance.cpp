@@ -9,7 +9,9 @@ namespace {
 template <class T, class... Form>
 void run(const ConstImageView& source, const View<T>& distances, const Execution& execution,
          const Form&... form) {
-  detail::check_views(source, distances);
+  using enum detail::InPlace;
+  detail::check(detail::memory_of("source", source), detail::memory_of("distances", distances),
+                rejected);
   detail::make_best_state(detail::distance_operation(), source.width, source.height, {}, execution)
       ->run(source, distances, form...);
 }

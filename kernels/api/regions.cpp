@@ -30,7 +30,8 @@ std::unique_ptr<LabelsState> labelled(const LabelsParameters& parameters,
                                       const ConstImageView& source, const LabelView& labels,
                                       const Execution& execution) {
   detail::require_label_size(source.width, source.height);
-  detail::check_views(source, labels);
+  detail::check(detail::memory_of("source", source), detail::memory_of("labels", labels),
+                detail::InPlace::rejected);
   auto state = detail::make_best_state(detail::operation_of(parameters.task), source.width,
                                        source.height, parameters, execution);
   state->run(source, labels);

@@ -22,6 +22,13 @@ Chosen choose(const Rule& rule, Index width, Index height, const Thinning& thinn
   return {variant, detail::make_state(variant, width, height, parameters, execution.threads)};
 }
 
+void require_order(BitOrder order, const char* name) {
+  detail::require(order == BitOrder::msb_first || order == BitOrder::lsb_first, [&] {
+    return name + (" has the bit order " + std::to_string(static_cast<int>(order))) +
+           "; expected msb_first or lsb_first";
+  });
+}
+
 }  // namespace
 
 Thinner::Thinner(const Rule& rule, Index width, Index height, const Thinning& thinning,
@@ -55,7 +62,9 @@ int thin(const Rule& rule, ConstImageView source, ImageView destination, const T
 
 int thin(const Rule& rule, ConstPackedView source, PackedView destination, const Thinning& thinning,
          const Execution& execution) {
-  detail::check_views(source, destination);
+  require_order(source.order, "source");
+  require_order(destination.order, "destination");
+  detail::check_views(source, destination, detail::InPlace::allowed);
   return choose(rule, source.width, source.height, thinning, execution)
       .state->run(source, destination);
 }

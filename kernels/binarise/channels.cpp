@@ -85,9 +85,13 @@ void check(const ConstColourView& colours, const ImageView& destination, Channel
   require(colours.samples == 3 || colours.samples == 4,
           "colours: expected 3 or 4 bytes per pixel, got " + std::to_string(colours.samples));
   detail::require_max_pixels(colours.width, colours.height);
-  const Index row_bytes = colours.samples * colours.width;
-  detail::check_disjoint({colours.data, row_bytes, colours.height, colours.stride}, "colours",
-                         destination, "destination");
+  const detail::Memory from = {"colours",     colours.data,   1,
+                               colours.width, colours.height, colours.samples * colours.width,
+                               colours.stride};
+  const detail::Memory to = detail::memory_of("destination", destination);
+  detail::check(from);
+  detail::check(to);
+  require(!detail::overlap(from, to), "colours and destination overlap");
   require(colours.width == destination.width && colours.height == destination.height,
           "destination: expected " + detail::size_text(colours.width, colours.height) +
               " pixels, got " + detail::size_text(destination.width, destination.height));

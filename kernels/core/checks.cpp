@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "thinbench/options.hpp"
@@ -19,154 +18,66 @@ namespace {
   throw std::invalid_argument(reason);
 }
 
-template <class View>
-std::string text_of(const View& view) {
-  return size_text(view.width, view.height);
+std::string text_of(const Memory& memory) {
+  const std::string size = size_text(memory.width, memory.rows);
+  return memory.images == 1 ? size : std::to_string(memory.images) + " images of " + size;
 }
 
-std::string text_of(const ConstStackView& stack) {
-  return std::to_string(stack.count) + " images of " + size_text(stack.width, stack.height);
+[[noreturn]] void reject_size(const Memory& memory) {
+  if (memory.images == 1) reject(memory.name + (" has the size " + text_of(memory)));
+  reject(memory.name + (" is " + text_of(memory)) + "; counts and sizes cannot be negative");
 }
 
-/// Rejects a stride below the width.
-template <class View>
-void check_stride(const View& view, const char* name) {
-  if (view.stride >= view.width) return;
-  reject(name + (" has a stride of " + std::to_string(view.stride)) +
-         " bytes, below its width of " + std::to_string(view.width));
+[[noreturn]] void reject_stride(const Memory& memory) {
+  const std::string given = memory.name + (" has a stride of " + std::to_string(memory.stride)) +
+                            (memory.element_bytes == 1 ? " bytes" : "");
+  const std::string width = std::to_string(memory.width);
+  if (memory.row_elements == memory.width) reject(given + ", below its width of " + width);
+  reject(given + "; its rows of " + width + " pixels take " + std::to_string(memory.row_elements));
 }
 
-/// Whether `count` strides exceed the address space.
-bool overflows(Index stride, Index count) {
-  return count > 0 && stride > PTRDIFF_MAX / count;
+[[noreturn]] void reject_room(const Memory& memory) {
+  reject(memory.name + (" exceeds the address space: " + text_of(memory)) +
+         (memory.images == 1 ? ", stride " : ", strides ") + std::to_string(memory.stride) +
+         (memory.images == 1 ? "" : " and " + std::to_string(memory.image_stride)));
 }
 
-void check_view(const ConstImageView& view, const char* name) {
-  if (view.width < 0 || view.height < 0) reject(name + (" has the size " + text_of(view)));
-  check_stride(view, name);
-  if (overflows(view.stride, view.height)) {
-    reject(name + (" exceeds the address space: " + text_of(view)) + ", stride " +
-           std::to_string(view.stride));
-  }
-  if (view.data == nullptr && view.width > 0 && view.height > 0) {
-    reject(name + std::string(" has no data"));
-  }
+/// Whether `count` strides are within `room`.
+bool fits(Index stride, Index count, Index room) {
+  return count == 0 || stride <= room / count;
 }
 
-template <class View>
-void check_same_size(const View& source, const View& destination) {
-  if (source.width == destination.width && source.height == destination.height) return;
-  reject("source is " + text_of(source) + " and destination " + text_of(destination) +
-         "; they must have the same size");
+/// Elements from the first to the last of an image.
+Index image_elements(const Memory& memory) {
+  if (memory.row_elements == 0 || memory.rows == 0) return 0;
+  return (memory.rows - 1) * memory.stride + memory.row_elements;
 }
 
-/// Checks a packed image and returns its bytes as an image.
-ConstImageView check_packed(const ConstPackedView& view, const char* name) {
-  if (view.width < 0 || view.height < 0) reject(name + (" has the size " + text_of(view)));
-  const Index row_bytes = packed_row_bytes(view.width);
-  if (view.stride < row_bytes) {
-    reject(name + (" has a stride of " + std::to_string(view.stride)) + " bytes; its rows of " +
-           std::to_string(view.width) + " pixels take " + std::to_string(row_bytes));
-  }
-  if (view.order != BitOrder::msb_first && view.order != BitOrder::lsb_first) {
-    reject(name + (" has the bit order " + std::to_string(static_cast<int>(view.order))) +
-           "; expected msb_first or lsb_first");
-  }
-  const ConstImageView bytes(view.data, row_bytes, view.height, view.stride);
-  check_view(bytes, name);
-  return bytes;
+/// Bytes from the first to the last of all images.
+Index bytes_of(const Memory& memory) {
+  const Index image = image_elements(memory);
+  if (image == 0 || memory.images == 0) return 0;
+  return ((memory.images - 1) * memory.image_stride + image) * memory.element_bytes;
+}
+
+/// Whether two images in one buffer are side by side: their strides are equal and their ranges of
+/// columns are disjoint.
+bool side_by_side(const Memory& a, const Memory& b) {
+  const Index stride = a.stride * a.element_bytes;
+  if (a.images != 1 || b.images != 1 || stride != b.stride * b.element_bytes) return false;
+  const Index distance =
+      static_cast<const std::uint8_t*>(b.data) - static_cast<const std::uint8_t*>(a.data);
+  const Index column = (distance % stride + stride) % stride;
+  return column >= a.row_elements * a.element_bytes &&
+         column + b.row_elements * b.element_bytes <= stride;
+}
+
+bool same_memory(const Memory& a, const Memory& b) {
+  return a.data == b.data && a.stride == b.stride && a.image_stride == b.image_stride;
 }
 
 bool same_image(const ConstImageView& a, const ConstImageView& b) {
   return a.data == b.data && a.stride == b.stride;
-}
-
-/// Whether two views of one buffer are side by side: their strides are equal and their ranges of
-/// columns are disjoint.
-bool side_by_side(const ConstImageView& a, const ConstImageView& b) {
-  if (a.stride != b.stride) return false;
-  const Index distance = b.data - a.data;
-  const Index column = (distance % a.stride + a.stride) % a.stride;
-  return column >= a.width && column + b.width <= a.stride;
-}
-
-/// Whether [a, a + a_bytes) and [b, b + b_bytes) share a byte.
-bool ranges_overlap(const std::uint8_t* a, Index a_bytes, const std::uint8_t* b, Index b_bytes) {
-  const auto a_begin = reinterpret_cast<std::uintptr_t>(a);
-  const auto b_begin = reinterpret_cast<std::uintptr_t>(b);
-  return a_begin < b_begin + static_cast<std::uintptr_t>(b_bytes) &&
-         b_begin < a_begin + static_cast<std::uintptr_t>(a_bytes);
-}
-
-/// Bytes from the first to the last pixel of an image; 0 without pixels.
-template <class View>
-Index image_bytes(const View& view) {
-  if (view.width == 0 || view.height == 0) return 0;
-  return (view.height - 1) * view.stride + view.width;
-}
-
-/// A view of the bytes of numbers. `exceed` begins the message if it leaves the address space.
-template <class T>
-ConstImageView bytes_of(const View<T>& numbers, const char* exceed) {
-  constexpr Index bytes = sizeof(T);
-  constexpr Index most = PTRDIFF_MAX / bytes;
-  if (std::max(numbers.stride, numbers.width) > most ||
-      std::min(numbers.stride, numbers.width) < -most) {
-    reject(exceed + (" the address space: " + text_of(numbers)) + ", stride " +
-           std::to_string(numbers.stride));
-  }
-  return {reinterpret_cast<const std::uint8_t*>(numbers.data), numbers.width * bytes,
-          numbers.height, numbers.stride * bytes};
-}
-
-bool overlap(const ConstImageView& a, const ConstImageView& b) {
-  if (image_bytes(a) == 0) return false;
-  return ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b)) && !side_by_side(a, b);
-}
-
-/// Checks two images of numbers, which must have the same size and share no byte.
-template <class S, class T>
-void check_pair(const View<S>& source, const std::string& source_name, const View<T>& numbers,
-                const std::string& name) {
-  const ConstImageView from = bytes_of(source, (source_name + " exceeds").c_str());
-  const ConstImageView to = bytes_of(numbers, (name + " exceed").c_str());
-  check_disjoint(from, source_name, to, name);
-  if (source.width != numbers.width || source.height != numbers.height) {
-    reject(source_name + " is " + text_of(source) + " and " + name + " " + text_of(numbers) +
-           "; they must have the same size");
-  }
-}
-
-bool has_pixels(const ConstStackView& stack) {
-  return stack.count > 0 && image_bytes(stack) > 0;
-}
-
-void check_stack(const ConstStackView& stack, const char* name) {
-  if (stack.count < 0 || stack.width < 0 || stack.height < 0) {
-    reject(name + (" is " + text_of(stack)) + "; counts and sizes cannot be negative");
-  }
-  check_stride(stack, name);
-  const bool images_fit = !overflows(stack.stride, stack.height);
-  if (images_fit && stack.image_stride < image_bytes(stack)) {
-    reject(name + (" has an image stride of " + std::to_string(stack.image_stride)) +
-           " bytes; its images take " + std::to_string(image_bytes(stack)));
-  }
-  if (!images_fit || overflows(stack.image_stride, stack.count)) {
-    reject(name + (" exceeds the address space: " + text_of(stack)) + ", strides " +
-           std::to_string(stack.stride) + " and " + std::to_string(stack.image_stride));
-  }
-  if (stack.data == nullptr && has_pixels(stack)) reject(name + std::string(" has no data"));
-}
-
-bool same_stack(const ConstStackView& a, const ConstStackView& b) {
-  return a.data == b.data && a.stride == b.stride && a.image_stride == b.image_stride;
-}
-
-bool overlap(const ConstStackView& a, const ConstStackView& b) {
-  const auto bytes = [](const ConstStackView& stack) {
-    return (stack.count - 1) * stack.image_stride + image_bytes(stack);
-  };
-  return has_pixels(a) && ranges_overlap(a.data, bytes(a), b.data, bytes(b));
 }
 
 /// Bytes from `begin` to `end` that belong to image `image` of a list.
@@ -203,9 +114,10 @@ std::vector<ListedBytes> bytes_of(std::span<const ConstImageView> sources,
                                   std::span<const ImageView> destinations, bool by_rows) {
   std::vector<ListedBytes> all;
   const auto add = [&](const ConstImageView& view, std::size_t image, bool is_destination) {
-    const Index bytes = by_rows ? view.width : image_bytes(view);
+    const Index all_bytes = bytes_of(memory_of("", view));
+    const Index bytes = by_rows ? view.width : all_bytes;
     const Index rows = by_rows ? view.height : 1;
-    for (Index y = 0; y < rows && image_bytes(view) > 0; ++y) {
+    for (Index y = 0; y < rows && all_bytes > 0; ++y) {
       const auto begin = reinterpret_cast<std::uintptr_t>(view.row(y));
       all.push_back({begin, begin + static_cast<std::uintptr_t>(bytes), image, is_destination});
     }
@@ -293,62 +205,46 @@ void require_threads(int threads) {
          std::to_string(threads));
 }
 
-void check_disjoint(const ConstImageView& a, const std::string& a_name, const ConstImageView& b,
-                    const std::string& b_name) {
-  check_view(a, a_name.c_str());
-  check_view(b, b_name.c_str());
-  if (image_bytes(a) > 0 && ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b))) {
-    reject(a_name + " and " + b_name + " overlap");
+void check(const Memory& memory) {
+  if (memory.width < 0 || memory.rows < 0 || memory.images < 0) reject_size(memory);
+  if (memory.stride < memory.row_elements) reject_stride(memory);
+  const Index room = PTRDIFF_MAX / memory.element_bytes;
+  if (!fits(memory.stride, std::max<Index>(memory.rows, 1), room)) reject_room(memory);
+  if (memory.images != 1) {
+    if (memory.image_stride < image_elements(memory)) {
+      reject(memory.name + (" has an image stride of " + std::to_string(memory.image_stride)) +
+             " bytes; its images take " + std::to_string(image_elements(memory)));
+    }
+    if (!fits(memory.image_stride, memory.images, room)) reject_room(memory);
   }
+  if (memory.data == nullptr && bytes_of(memory) > 0)
+    reject(memory.name + std::string(" has no data"));
 }
 
-void check_views(const ConstImageView& source, const ConstImageView& destination,
-                 InPlace in_place) {
-  check_view(source, "source");
-  check_view(destination, "destination");
-  check_same_size(source, destination);
-  if (!overlap(source, destination)) return;
-  if (in_place == InPlace::rejected) reject("source and destination overlap");
-  if (!same_image(source, destination)) {
-    reject("source and destination overlap without being the same image");
+bool overlap(const Memory& a, const Memory& b) {
+  const Index a_bytes = bytes_of(a);
+  const Index b_bytes = bytes_of(b);
+  if (a_bytes == 0 || b_bytes == 0) return false;
+  const auto a_begin = reinterpret_cast<std::uintptr_t>(a.data);
+  const auto b_begin = reinterpret_cast<std::uintptr_t>(b.data);
+  return a_begin < b_begin + static_cast<std::uintptr_t>(b_bytes) &&
+         b_begin < a_begin + static_cast<std::uintptr_t>(a_bytes) && !side_by_side(a, b);
+}
+
+void check(const Memory& source, const Memory& destination, InPlace in_place) {
+  check(source);
+  check(destination);
+  const bool is_stack = source.images != 1 || destination.images != 1;
+  if (source.width != destination.width || source.rows != destination.rows ||
+      source.images != destination.images) {
+    reject(source.name + (" is " + text_of(source)) + " and " + destination.name + " " +
+           text_of(destination) + "; they must have the same " +
+           (is_stack ? "count and size" : "size"));
   }
-}
-
-void check_views(const ConstPackedView& source, const ConstPackedView& destination) {
-  const ConstImageView from = check_packed(source, "source");
-  const ConstImageView to = check_packed(destination, "destination");
-  check_same_size(source, destination);
-  const bool share_bytes = image_bytes(from) > 0 &&
-                           ranges_overlap(from.data, image_bytes(from), to.data, image_bytes(to));
-  if (share_bytes && !same_image(from, to)) {
-    reject("source and destination overlap without being the same image");
-  }
-}
-
-template <class T>
-void check_views(const ConstImageView& source, const View<T>& numbers) {
-  constexpr bool is_label = std::is_same_v<T, std::int32_t>;
-  check_pair(source, "source", numbers, is_label ? "labels" : "distances");
-}
-
-template void check_views(const ConstImageView& source, const LabelView& numbers);
-template void check_views(const ConstImageView& source, const View<double>& numbers);
-
-void check_labels(const ConstLabelView& labels) {
-  check_view(bytes_of(labels, "labels exceed"), "labels");
-}
-
-void check_views(const ConstLabelView& labels, const View<double>& distances) {
-  check_pair(labels, "labels", distances, "distances");
-}
-
-void check_views(const ConstLabelView& source, const LabelView& destination, InPlace in_place) {
-  if (source.width != destination.width || source.height != destination.height) {
-    reject("source is " + size_text(source.width, source.height) + " and destination " +
-           size_text(destination.width, destination.height) + "; they must have the same size");
-  }
-  check_views(bytes_of(source, "source exceeds"), bytes_of(destination, "destination exceeds"),
-              in_place);
+  const bool allowed = in_place == InPlace::allowed;
+  if (!overlap(source, destination) || (allowed && same_memory(source, destination))) return;
+  reject(source.name + std::string(" and ") + destination.name + " overlap" +
+         (allowed ? " without being the same image" : "") + (allowed && is_stack ? "s" : ""));
 }
 
 void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations) {
@@ -369,19 +265,6 @@ void check_lists(std::span<const ConstImageView> sources, std::span<const ImageV
   reject("the destination of image " + std::to_string(found->destination.image) +
          " shares bytes with the " + (found->other.is_destination ? "destination" : "source") +
          " of image " + std::to_string(found->other.image));
-}
-
-void check_stacks(const ConstStackView& source, const ConstStackView& destination) {
-  check_stack(source, "source");
-  check_stack(destination, "destination");
-  if (source.count != destination.count || source.width != destination.width ||
-      source.height != destination.height) {
-    reject("source is " + text_of(source) + " and destination " + text_of(destination) +
-           "; they must have the same count and size");
-  }
-  if (overlap(source, destination) && !same_stack(source, destination)) {
-    reject("source and destination overlap without being the same images");
-  }
 }
 
 }  // namespace thinbench::detail

@@ -42,40 +42,58 @@ void require_spacing(const Spacing& spacing);
 void require_regions_size(Index width, Index height);
 void require_label_size(Index width, Index height);
 
+/// The memory of an image, a packed image or a stack of images, whatever its elements are.
+struct Memory {
+  const char* name;  // for messages
+  const void* data;
+  Index element_bytes;
+  Index width;  // in pixels
+  Index rows;
+  Index row_elements;  // that have pixels
+  Index stride;        // in elements, as image_stride
+  Index images = 1;
+  Index image_stride = 0;
+};
+
+template <class T>
+[[nodiscard]] Memory memory_of(const char* name, const View<T>& view) {
+  return {name, view.data, sizeof(T), view.width, view.height, view.width, view.stride};
+}
+
+template <class T>
+[[nodiscard]] Memory memory_of(const char* name, const Packed<T>& view) {
+  const Index row_bytes = packed_row_bytes(view.width);
+  return {name, view.data, 1, view.width, view.height, row_bytes, view.stride};
+}
+
+template <class T>
+[[nodiscard]] Memory memory_of(const char* name, const Stack<T>& stack) {
+  return {name,        stack.data,   sizeof(T),   stack.width,       stack.height,
+          stack.width, stack.stride, stack.count, stack.image_stride};
+}
+
 enum class InPlace : bool { rejected, allowed };
 
-/// Rejects a negative size, a stride below the width, a view that exceeds the address space, a null
-/// image, or an overlap. The sizes may differ.
-void check_disjoint(const ConstImageView& a, const std::string& a_name, const ConstImageView& b,
-                    const std::string& b_name);
+/// Rejects a negative count or size, a row or an image that does not fit its stride, what exceeds
+/// the address space, and pixels without data.
+void check(const Memory& memory);
 
-/// The same, and rejects sizes that differ. `in_place`: whether both may be the same image. Views
-/// side by side do not overlap.
-void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
+/// The same for both, and rejects counts or sizes that differ, and bytes that both have.
+/// `in_place`: whether both may be the same memory. Images side by side in one buffer share no
+/// byte; stacks with interleaved images count as overlapping. Allocates nothing unless it throws.
+void check(const Memory& source, const Memory& destination, InPlace in_place);
 
-/// The same for packed images, which may be the same image; views side by side count as
-/// overlapping.
-void check_views(const ConstPackedView& source, const ConstPackedView& destination);
+/// Whether they share a byte, see above. Both must have passed check().
+[[nodiscard]] bool overlap(const Memory& a, const Memory& b);
 
-/// The same for an image of labels or of distances; rejects any overlap.
-template <class T>
-void check_views(const ConstImageView& source, const View<T>& numbers);
-extern template void check_views(const ConstImageView& source, const LabelView& numbers);
-extern template void check_views(const ConstImageView& source, const View<double>& numbers);
-
-/// The same for an image of labels, alone, with distances, and with another one.
-void check_labels(const ConstLabelView& labels);
-void check_views(const ConstLabelView& labels, const View<double>& distances);
-void check_views(const ConstLabelView& source, const LabelView& destination, InPlace in_place);
+/// The same for two views of any kind, called source and destination.
+template <class Source, class Destination>
+void check_views(const Source& source, const Destination& destination, InPlace in_place) {
+  check(memory_of("source", source), memory_of("destination", destination), in_place);
+}
 
 /// The same for lists of images of any sizes, and rejects more than 2^40 pixels and lists of
 /// different lengths. Each destination is its source or shares no byte with any image of the lists.
 void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations);
-
-/// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
-/// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.
-/// Stacks with interleaved images in one buffer count as overlapping. Allocates nothing unless it
-/// throws.
-void check_stacks(const ConstStackView& source, const ConstStackView& destination);
 
 }  // namespace thinbench::detail

@@ -75,7 +75,7 @@ LabelGraph sorted(const Graph& graph, const ConstLabelView& labels) {
 }  // namespace
 
 LabelGraph graph_of_labels(ConstLabelView skeletons, const Execution& execution) {
-  detail::check_labels(skeletons);
+  detail::check(detail::memory_of("labels", skeletons));
   detail::require_label_size(skeletons.width, skeletons.height);
   Graph all;
   LabelColours(skeletons).for_each(
@@ -85,7 +85,8 @@ LabelGraph graph_of_labels(ConstLabelView skeletons, const Execution& execution)
 
 void label_distances(ConstLabelView labels, View<double> distances, const Spacing& spacing,
                      const Execution& execution) {
-  detail::check_views(labels, distances);
+  detail::check(detail::memory_of("labels", labels), detail::memory_of("distances", distances),
+                detail::InPlace::rejected);
   detail::require_label_size(labels.width, labels.height);
   LabelColours colours(labels);
   if (colours.count() == 1) {

@@ -117,7 +117,7 @@ ThinningBatch::ThinningBatch(ThinningBatch&&) noexcept = default;
 ThinningBatch& ThinningBatch::operator=(ThinningBatch&&) noexcept = default;
 
 int ThinningBatch::operator()(const ConstStackView& source, const StackView& destination) {
-  detail::check_stacks(source, destination);
+  detail::check_views(source, destination, detail::InPlace::allowed);
   if (source.width != width_ || source.height != height_) {
     throw std::invalid_argument("expected images of " + detail::size_text(width_, height_) +
                                 ", got " + detail::size_text(source.width, source.height));
@@ -133,7 +133,7 @@ bool ThinningBatch::one_by_one() const {
 
 int thin_batch(const Rule& rule, const ConstStackView& source, const StackView& destination,
                const Thinning& thinning, const Execution& execution) {
-  detail::check_stacks(source, destination);
+  detail::check_views(source, destination, detail::InPlace::allowed);
   return ThinningBatch(rule, source.width, source.height, thinning, execution)(source, destination);
 }
 

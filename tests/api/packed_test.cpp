@@ -1,6 +1,7 @@
 // thin() of packed images: equal to thin() of bytes.
 #include "thinbench/packed.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -64,6 +65,18 @@ TEST(PackedThin, works_in_place_and_from_one_bit_order_to_the_other) {
     to.order = order;
     thin(Rule::zhang_suen, bits.view(), to);
     EXPECT_EQ(bits.bytes(), PackedImage(expected.view(), order, 3).bytes());
+  }
+}
+
+TEST(PackedThin, works_from_one_side_of_a_buffer_to_the_other) {
+  const ByteImage image = noise_image(40, 30, 90, 2, 4);
+  const PackedImage expected(thinned(Rule::guo_hall, image).view(), BitOrder::msb_first, 5);
+  PackedImage both(image.view(), BitOrder::msb_first, 5);
+  PackedView right = both.view();
+  right.data += 5;
+  thin(Rule::guo_hall, both.view(), right);
+  for (Index y = 0; y < 30; ++y) {
+    EXPECT_TRUE(std::equal(right.row(y), right.row(y) + 5, expected.view().row(y))) << y;
   }
 }
 

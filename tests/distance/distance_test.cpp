@@ -114,6 +114,15 @@ TEST(SquaredDistances, leave_gaps_between_rows_alone) {
   EXPECT_EQ(numbers, (Numbers{1, 0, -1, -1, -1, 2, 1, -1, -1, -1}));
 }
 
+TEST(SquaredDistances, are_written_beside_the_image_in_one_buffer) {
+  std::array<std::int32_t, 6> both{};  // two rows: two pixels in four bytes, then two distances
+  auto* const pixels = reinterpret_cast<std::uint8_t*>(both.data());
+  std::fill_n(pixels, 2, std::uint8_t{1});
+  squared_distances({pixels, 2, 2, 12}, {both.data() + 1, 2, 2, 3});
+  EXPECT_EQ(std::vector(both.begin() + 1, both.begin() + 3), (Numbers{1, 1}));
+  EXPECT_EQ(std::vector(both.begin() + 4, both.end()), (Numbers{0, 0}));
+}
+
 std::vector<double> distances_with(const Spacing& spacing, const ConstImageView& image,
                                    const Execution& execution = {}) {
   std::vector<double> found(static_cast<std::size_t>(image.width * image.height), -1);

@@ -21,9 +21,9 @@ inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>:
 /// Background has 0. What is outside the image does not count, as in SciPy's
 /// distance_transform_edt; surround the image with background where it should. Exact integers.
 ///
-/// Views must have the same size and share no byte, where rows of both in one buffer count as
-/// overlapping; the stride of `distances` is in numbers. Takes at most half a byte of memory per
-/// pixel and half a megabyte beside the views, and 1.5 megabytes per thread.
+/// Views must have the same size and share no byte; the stride of `distances` is in numbers. Takes
+/// at most half a byte of memory per pixel and half a megabyte beside the views, and 1.5 megabytes
+/// per thread.
 /// Thread-safe for different destinations. Throws std::invalid_argument for a side above
 /// kMaxDistanceSide, unsuitable views, threads out of range and an ISA that is not available, and
 /// std::bad_alloc. Nothing is written if it throws.

@@ -54,10 +54,9 @@ using PackedView = Packed<std::uint8_t>;
 /// thinbench/thinning.hpp, without a byte image in between: rows are copied, with the bits of bytes
 /// reversed where their order differs.
 ///
-/// Both views must have the same size and be the same image or share no byte, where rows of
-/// both in one buffer count as overlapping; their bit orders may differ. Border, options, thread
-/// safety and errors as thin(); a stride below the bytes of a row and an order outside the
-/// enumeration are rejected, too. Nothing is written if it throws.
+/// Both views must have the same size and be the same image or share no byte; their bit orders may
+/// differ. Border, options, thread safety and errors as thin(); a stride below the bytes of a row
+/// and an order outside the enumeration are rejected, too. Nothing is written if it throws.
 THINBENCH_API int thin(const Rule& rule, ConstPackedView source, PackedView destination,
                        const Thinning& thinning = {}, const Execution& execution = {});
 

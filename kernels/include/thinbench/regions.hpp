@@ -38,8 +38,8 @@ struct Regions {
 /// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
 /// the number of objects plus the id of its hole, or 0 outside. Takes 12 bytes of memory per run of
 /// equal pixels besides the result. Both views must have the same size, at most 2^31 pixels, and
-/// share no byte; rows of both in one buffer count as overlapping. If it throws, nothing is
-/// written, except that the labels may be where it is std::bad_alloc.
+/// share no byte. If it throws, nothing is written, except that the labels may be where it is
+/// std::bad_alloc.
 THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels,
                                     const Execution& execution = {});
 
