@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/operation.hpp"
-#include "regions/label_store.hpp"
 #include "techniques/variants.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench {
 
@@ -53,7 +53,7 @@ struct ThinningCase {
 [[nodiscard]] std::vector<Operation> regions_family();
 
 /// Lists as numbers: how many objects and holes there are, and then every member of each.
-[[nodiscard]] std::vector<std::int64_t> numbers_of(const detail::RegionLists& lists);
+[[nodiscard]] std::vector<std::int64_t> numbers_of(const Regions& lists);
 /// What number `index` of these is, in words.
 [[nodiscard]] std::string name_of_region_number(std::size_t index);
 

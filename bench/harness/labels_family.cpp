@@ -3,13 +3,13 @@
 
 #include "harness/families.hpp"
 #include "holes.hpp"
-#include "techniques/variants.hpp"
+#include "regions/state.hpp"
 
 namespace thinbench {
 namespace {
 
-using detail::LabelsState;
-using detail::LabelsTask;
+using detail::LabelState;
+using detail::LabelTask;
 
 /// Labels as numbers, row by row, then the lists.
 class LabelsJob : public Job {
@@ -20,7 +20,7 @@ class LabelsJob : public Job {
   [[nodiscard]] bool gives_image() const override { return false; }
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     std::vector<std::int64_t> numbers(labels_.begin(), labels_.end());
-    for (const std::int64_t number : numbers_of(lists())) numbers.push_back(number);
+    for (const std::int64_t number : numbers_of(lists_)) numbers.push_back(number);
     return numbers;
   }
   [[nodiscard]] std::string name_of_number(std::size_t index) const override {
@@ -32,7 +32,7 @@ class LabelsJob : public Job {
 
  protected:
   [[nodiscard]] LabelView labels() { return {labels_.data(), width_, height_}; }
-  [[nodiscard]] virtual detail::RegionLists lists() const = 0;
+  Regions lists_;
 
  private:
   Index width_;
@@ -42,49 +42,52 @@ class LabelsJob : public Job {
 
 class StateJob final : public LabelsJob {
  public:
-  StateJob(Index width, Index height, std::unique_ptr<LabelsState> state)
+  StateJob(Index width, Index height, std::unique_ptr<LabelState> state)
       : LabelsJob(width, height), state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    state_->run(input, labels());
+    state_->run(input, labels(), lists_);
   }
 
  private:
-  [[nodiscard]] detail::RegionLists lists() const override { return state_->regions(); }
-
-  std::unique_ptr<LabelsState> state_;
+  std::unique_ptr<LabelState> state_;
 };
 
-reference::Regions labelled(LabelsTask task, const ConstImageView& input, const LabelView& labels) {
-  if (task == LabelsTask::regions) return reference::label_regions(input, labels);
-  reference::Regions found;
-  found.objects = detail::is_four_connected(task) ? reference::label_components_4(input, labels)
-                                                  : reference::label_components(input, labels);
-  return detail::has_list(task) ? found : reference::Regions{};
+reference::Regions labelled(LabelTask task, const ConstImageView& input, const LabelView& labels) {
+  switch (task) {
+    case LabelTask::regions:
+      return reference::label_regions(input, labels);
+    case LabelTask::objects_eight:
+      return {reference::label_components(input, labels), {}};
+    case LabelTask::objects_four:
+      return {reference::label_components_4(input, labels), {}};
+    case LabelTask::image_eight:
+      reference::label_components(input, labels);
+      return {};
+    case LabelTask::image_four:
+      reference::label_components_4(input, labels);
+      return {};
+  }
+  return {};
 }
 
 class ReferenceJob final : public LabelsJob {
  public:
-  ReferenceJob(LabelsTask task, Index width, Index height)
-      : LabelsJob(width, height), task_(task) {}
+  ReferenceJob(LabelTask task, Index width, Index height) : LabelsJob(width, height), task_(task) {}
 
   void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    regions_ = labelled(task_, input, labels());
+    auto [objects, holes] = labelled(task_, input, labels());
+    lists_ = {std::move(objects), std::move(holes)};
   }
 
  private:
-  [[nodiscard]] detail::RegionLists lists() const override {
-    return {regions_.objects, regions_.holes};
-  }
-
-  LabelsTask task_;
-  reference::Regions regions_;
+  LabelTask task_;
 };
 
-Operation operation_of_table(const detail::LabelsOperation& operation) {
+Operation operation_of_table(const detail::LabelOperation& operation) {
   Operation result = {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const detail::LabelsVariant& variant : operation.variants) {
+  for (const auto& variant : operation.variants) {
     result.variants.push_back(library_variant(
         variant, false, [task = operation.key, &variant](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
@@ -102,7 +105,7 @@ Operation operation_of_table(const detail::LabelsOperation& operation) {
 
 std::vector<Operation> labels_family() {
   std::vector<Operation> family;
-  for (const detail::LabelsOperation& operation : detail::study::labels_operations()) {
+  for (const detail::LabelOperation& operation : detail::label_operations()) {
     family.push_back(operation_of_table(operation));
   }
   return family;

@@ -17,23 +17,22 @@ std::unique_ptr<detail::LocaliseState> state_for(const ConstImageView& grey,
                                  {EdgeOperator::sobel, thresholds}, execution);
 }
 
-Regions copy_of(const detail::RegionLists& lists) {
-  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
-}
-
 }  // namespace
 
 Regions localise_objects(ConstImageView grey, const EdgeThresholds& thresholds,
                          const Execution& execution) {
   detail::check_views(grey, grey, detail::InPlace::allowed);
-  return copy_of(state_for(grey, thresholds, execution)->run(grey));
+  Regions found;
+  state_for(grey, thresholds, execution)->run(grey, found);
+  return found;
 }
 
 Regions localise_objects(ConstImageView grey, ImageView objects, const EdgeThresholds& thresholds,
                          const Execution& execution) {
   detail::check_views(grey, objects, detail::InPlace::allowed);
   const auto state = state_for(grey, thresholds, execution);
-  Regions found = copy_of(state->run(grey));
+  Regions found;
+  state->run(grey, found);
   const Isa isa = execution.isa.value_or(best_isa());
   detail::plane_conversion<std::uint64_t>(isa).write(state->objects(), objects);
   return found;

@@ -1,82 +1,79 @@
 #include "thinbench/regions.hpp"
 
 #include "core/checks.hpp"
-#include "regions/labels_state.hpp"
 #include "regions/state.hpp"
 
 namespace thinbench {
 namespace {
 
-using detail::LabelsParameters;
-using detail::LabelsState;
-using detail::LabelsTask;
-using detail::RegionsParameters;
-using detail::RegionsState;
-using detail::RegionsTask;
+using detail::LabelParameters;
+using detail::LabelTask;
 
-/// A state that holds the result.
-std::unique_ptr<RegionsState> computed(const RegionsParameters& parameters,
-                                       const ConstImageView& source, const Execution& execution) {
-  detail::check_views(source, source, detail::InPlace::allowed);
-  auto state = detail::make_best_state(detail::operation_of(parameters.task), source.width,
-                                       source.height, parameters, execution);
-  state->load(source);
-  state->compute();
-  return state;
+/// The best state for an image.
+template <class Parameters>
+auto state_for(const Parameters& parameters, const ConstImageView& source,
+               const Execution& execution) {
+  return detail::make_best_state(detail::operation_of(parameters), source.width, source.height,
+                                 parameters, execution);
 }
 
-/// Writes the labels; returns a state that holds the lists.
-std::unique_ptr<LabelsState> labelled(const LabelsParameters& parameters,
-                                      const ConstImageView& source, const LabelView& labels,
-                                      const Execution& execution) {
+Regions lists_of(const ConstImageView& source, bool with_holes, const Execution& execution) {
+  detail::check_views(source, source, detail::InPlace::allowed);
+  Regions found;
+  state_for(detail::ListParameters{with_holes}, source, execution)->run(source, found);
+  return found;
+}
+
+/// Writes the labels, sets the lists of the task, and returns the number of objects.
+std::uint32_t label(const ConstImageView& source, const LabelView& labels,
+                    const LabelParameters& parameters, const Execution& execution, Regions& found) {
   detail::require_label_size(source.width, source.height);
   detail::check(detail::memory_of("source", source), detail::memory_of("labels", labels),
                 detail::InPlace::rejected);
-  auto state = detail::make_best_state(detail::operation_of(parameters.task), source.width,
-                                       source.height, parameters, execution);
-  state->run(source, labels);
-  return state;
+  return state_for(parameters, source, execution)->run(source, labels, found);
 }
 
-std::vector<Region> copy_of(std::span<const Region> regions) {
-  return {regions.begin(), regions.end()};
+LabelTask task_for(Connectivity connectivity, LabelTask eight, LabelTask four) {
+  detail::require_connectivity(static_cast<int>(connectivity));
+  return connectivity == Connectivity::four ? four : eight;
 }
 
 }  // namespace
 
 Regions find_regions(ConstImageView source, const Execution& execution) {
-  const auto state = computed({RegionsTask::holes}, source, execution);
-  const detail::RegionLists lists = state->regions();
-  return {copy_of(lists.objects), copy_of(lists.holes)};
+  return lists_of(source, true, execution);
 }
 
 std::vector<Region> find_components(ConstImageView source, const Execution& execution) {
-  const auto state = computed({RegionsTask::components}, source, execution);
-  return copy_of(state->regions().objects);
+  return lists_of(source, false, execution).objects;
 }
 
 Regions label_regions(ConstImageView source, LabelView labels, const Execution& execution) {
-  const auto state = labelled({LabelsTask::regions}, source, labels, execution);
-  const detail::RegionLists lists = state->regions();
-  return {copy_of(lists.objects), copy_of(lists.holes)};
+  Regions found;
+  label(source, labels, {LabelTask::regions}, execution, found);
+  return found;
 }
 
 std::vector<Region> label_components(ConstImageView source, LabelView labels,
                                      Connectivity connectivity, LabelOrder order,
                                      const Execution& execution) {
-  const LabelsTask task = detail::labels_task(connectivity, true);
-  return copy_of(labelled({task, order}, source, labels, execution)->regions().objects);
+  const LabelTask task =
+      task_for(connectivity, LabelTask::objects_eight, LabelTask::objects_four);
+  Regions found;
+  label(source, labels, {task, order}, execution, found);
+  return std::move(found.objects);
 }
 
 std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity connectivity,
                           LabelOrder order, const Execution& execution) {
-  const LabelsTask task = detail::labels_task(connectivity, false);
-  return labelled({task, order}, source, labels, execution)->objects();
+  const LabelTask task = task_for(connectivity, LabelTask::image_eight, LabelTask::image_four);
+  Regions none;
+  return label(source, labels, {task, order}, execution, none);
 }
 
 std::int64_t euler_number(ConstImageView source, Connectivity objects, const Execution& execution) {
-  const auto task = detail::task_for(objects, RegionsTask::euler_eight, RegionsTask::euler_four);
-  return computed({task}, source, execution)->number();
+  detail::check_views(source, source, detail::InPlace::allowed);
+  return state_for(detail::EulerParameters{objects}, source, execution)->run(source);
 }
 
 void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {
@@ -86,8 +83,8 @@ void fill_holes(ConstImageView source, ImageView destination, const Execution& e
 void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
                 std::int64_t max_area, const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  const auto task = detail::task_for(objects, RegionsTask::fill, RegionsTask::fill_four);
-  computed({task, max_area}, source, execution)->store(destination);
+  state_for(detail::FillParameters{objects, max_area}, source, execution)
+      ->run(source, destination);
 }
 
 }  // namespace thinbench

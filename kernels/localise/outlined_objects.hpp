@@ -1,30 +1,27 @@
 // From contours to the objects that they outline, on packed bits.
 #pragma once
 
-#include <vector>
-
-#include "regions/labelled_runs.hpp"
+#include "core/planes.hpp"
+#include "regions/hole_filler.hpp"
 
 namespace thinbench::detail {
 
 /// An object is an outermost contour, that is, one that touches the outside, with everything it
 /// encloses up to the contours inside it. Those inner contours, filled, are its holes.
 ///
-/// Cost: one labelling (labelled_runs.hpp), then two look-ups per run.
+/// Cost: that of filling holes three times.
 class OutlinedObjects {
  public:
-  OutlinedObjects(Index width, Index height) : runs_(width, height) {}
+  OutlinedObjects(Isa isa, Index width, Index height);
 
   /// Writes all objects to `target`, which has the same size. Does not write margins.
   void write(const ConstBitPlaneView& contours, const BitPlaneView& target);
 
  private:
-  void find_outermost_contours(Index height);
-  void find_interiors();
-  void write_row(Index y, std::uint64_t* row);
-
-  LabelledRuns runs_;
-  std::vector<char> in_object_[2];  // by root; [0] background between contours, [1] contours
+  HoleFiller eight_;
+  HoleFiller four_;
+  BitPlane filled_;
+  BitPlane inner_;
 };
 
 }  // namespace thinbench::detail

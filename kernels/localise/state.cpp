@@ -1,30 +1,26 @@
 #include "localise/state.hpp"
 
 #include "core/exported.hpp"
-#include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-std::unique_ptr<LocaliseState> make_bitpacked(const LocaliseSetting& setting) {
-  return std::make_unique<LocaliseState>(kBitpackedRunEngine, setting);
-}
-
-std::unique_ptr<LocaliseState> make_simd(const LocaliseSetting& setting) {
-  return std::make_unique<LocaliseState>(kernels_of<RunEngine>(setting.isa), setting);
+std::unique_ptr<LocaliseState> make_state(const LocaliseSetting& setting) {
+  return std::make_unique<LocaliseState>(setting);
 }
 
 }  // namespace
 
-LocaliseState::LocaliseState(const RunEngine& engine, const LocaliseSetting& setting)
+LocaliseState::LocaliseState(const LocaliseSetting& setting)
     : edges_(setting),
-      outlined_(setting.width, setting.height),
+      outlined_(setting.isa, setting.width, setting.height),
       objects_(setting.width, setting.height),
-      regions_(engine, true, setting.isa, setting.width, setting.height, setting.threads) {}
+      regions_(kernels_of<RunEngine>(setting.isa), true, setting.isa, setting.width, setting.height,
+               setting.threads) {}
 
-RegionLists LocaliseState::run(const ConstImageView& source) {
+void LocaliseState::run(const ConstImageView& source, Regions& found) {
   outlined_.write(edges_.run(source), objects_.view());
-  return regions_.label(objects_.view());
+  regions_.find(objects_.view(), found);
 }
 
 const LocaliseOperation& localise_operation() {
@@ -33,10 +29,7 @@ const LocaliseOperation& localise_operation() {
        "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
        [] {
          VariantList<LocaliseState> list;
-         list.add_with_threads("bitpacked_runs", Isa::baseline, &make_bitpacked, {0});
-         for (const Isa isa : all_isas()) {
-           list.add_with_threads("simd_runs", isa, &make_simd, {1, kSimdRunsWidth});
-         }
+         for (const Isa isa : all_isas()) list.add_with_threads("simd_runs", isa, &make_state, {});
          return list.take();
        }()});
   return operation;

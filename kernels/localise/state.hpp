@@ -2,8 +2,6 @@
 // the regions of these objects.
 #pragma once
 
-#include <vector>
-
 #include "core/planes.hpp"
 #include "core/variant.hpp"
 #include "edges/state.hpp"
@@ -14,10 +12,9 @@ namespace thinbench::detail {
 
 using LocaliseSetting = Setting<EdgeParameters>;
 
-/// Everything stays packed: two bits per pixel, 8 bytes per run of the edges and 52 bytes per
-/// provisional label. Memory for runs and labels grows on demand: run() allocates only when an
-/// image has more of them than all before. Threads share edges and regions; outlined objects are
-/// found on one thread.
+/// Everything stays packed: four bits per pixel, and 52 bytes per provisional label. Memory for runs
+/// and labels grows on demand: run() allocates only when an image has more of them than all before.
+/// Threads share edges and regions; outlined objects are found on one thread.
 class LocaliseState {
  public:
   using Parameters = EdgeParameters;
@@ -27,12 +24,12 @@ class LocaliseState {
     require_thresholds(parameters.thresholds);
   }
 
-  LocaliseState(const RunEngine& engine, const LocaliseSetting& setting);
+  explicit LocaliseState(const LocaliseSetting& setting);
 
-  /// Objects and holes, valid until the next run. `source` must have the size of the setting.
-  RegionLists run(const ConstImageView& source);
+  /// Lists objects and holes. `source` must have the size of the setting.
+  void run(const ConstImageView& source, Regions& found);
 
-  /// The image of the objects, valid as long.
+  /// The image of the objects, valid until the next run.
   [[nodiscard]] ConstBitPlaneView objects() const { return objects_.view(); }
 
  private:

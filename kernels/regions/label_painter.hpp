@@ -6,8 +6,8 @@
 #pragma once
 
 #include "core/byte_image.hpp"
-#include "regions/line_writer.hpp"
 #include "regions/run_sums.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
@@ -122,28 +122,53 @@ struct BandRows {
   return {row(y), row(last < labels.height ? last : y)};
 }
 
-/// Rows are painted to a buffer of this many labels first where whole cache lines are written.
-inline constexpr Index kBufferedLabels = 1024;
+/// Label images of at least this many bytes are written with non-temporal stores: below, they cost
+/// more than they save, as the labels are still in the cache for whoever reads them.
+inline constexpr Index kNonTemporalLabelBytes = Index{4} << 20;
 
 [[gnu::always_inline]] inline bool is_large(const LabelView& labels) {
   constexpr Index label_bytes = static_cast<Index>(sizeof(Label));
   return labels.width * labels.height * label_bytes >= kNonTemporalLabelBytes;
 }
 
+inline constexpr Index kLineLabels = static_cast<Index>(kAlignment / sizeof(Label));
+
+/// Labels between the start of a cache line and these.
+[[gnu::always_inline]] inline Index offset_in_line(const std::uint32_t* labels) {
+  return static_cast<Index>(reinterpret_cast<std::uintptr_t>(labels) / sizeof(Label)) % kLineLabels;
+}
+
+/// Copies labels past the caches, from memory with the same offset in a line. Non-temporal stores
+/// must fill lines; the ends take ordinary ones.
+[[gnu::always_inline]] inline void stream_labels(std::uint32_t* to, const std::uint32_t* from,
+                                                 Index count) {
+  constexpr Index lanes = static_cast<Index>(Lanes32::size);
+  const Index to_line = (kLineLabels - offset_in_line(to)) % kLineLabels;
+  Index x = 0;
+  for (; x < to_line && x < count; ++x) to[x] = from[x];
+  for (; x + kLineLabels <= count; x += kLineLabels) {
+    for (Index i = x; i < x + kLineLabels; i += lanes) {
+      store_non_temporal(reinterpret_cast<std::uint8_t*>(to + i),
+                         reinterpreted<ByteBatch>(Lanes32::load_aligned(from + i)));
+    }
+  }
+  for (; x < count; ++x) to[x] = from[x];
+}
+
+/// Rows are painted to a buffer of this many labels first where whole cache lines are written.
+inline constexpr Index kBufferedLabels = 2048;
+
 template <BandKind band, class Reader>
 [[gnu::always_inline]] inline void stream_band(Reader& reader, const BandRows& rows, Index width) {
-  alignas(kAlignment) std::uint32_t room[2][kBufferedLabels + LineWriter::kLine];
-  LineWriter top, bottom;
+  alignas(kAlignment) std::uint32_t buffers[2][kBufferedLabels + kLineLabels];
   for (Index x = 0; x < width; x += kBufferedLabels) {
     const Index count = width - x < kBufferedLabels ? width - x : kBufferedLabels;
-    std::uint32_t* const of_top = LineWriter::start_in(room[0], rows.top + x);
-    std::uint32_t* const of_bottom = LineWriter::start_in(room[1], rows.bottom + x);
-    paint_words<band>(reader, of_top, of_bottom, count);
-    top.write(rows.top + x, of_top, count);
-    if (rows.top != rows.bottom) bottom.write(rows.bottom + x, of_bottom, count);
+    std::uint32_t* const top = buffers[0] + offset_in_line(rows.top + x);
+    std::uint32_t* const bottom = buffers[1] + offset_in_line(rows.bottom + x);
+    paint_words<band>(reader, top, bottom, count);
+    stream_labels(rows.top + x, top, count);
+    if (rows.top != rows.bottom) stream_labels(rows.bottom + x, bottom, count);
   }
-  top.flush();
-  bottom.flush();
 }
 
 template <BandKind band, class Reader>

@@ -14,21 +14,20 @@ void add_region(Region& sum, const Region& part) {
   sum.bottom = std::max(sum.bottom, part.bottom);
 }
 
-/// Moves regions to the front in the order of their roots. A parent never exceeds its label, so its
-/// index is known when the label is visited.
-Label gather_regions(const LabelTable& table) {
-  Label count = 0;
-  for (Label label = 0; label < table.count; ++label) {
+/// Lists the regions of roots from label `first` on. A parent never exceeds its label, so its number
+/// is known when the label is visited: the first root has number `first`.
+void list_regions(const LabelTable& table, Label first, std::vector<Region>& regions) {
+  regions.clear();
+  for (Label label = first; label < table.count; ++label) {
     Label& parent = table.parents[label];
     if (parent == label) {
-      table.regions[count] = table.regions[label];
-      parent = count++;
+      parent = first + static_cast<Label>(regions.size());
+      regions.push_back(table.regions[label]);
     } else {
       parent = table.parents[parent];
-      add_region(table.regions[parent], table.regions[label]);
+      if (parent >= first) add_region(regions[parent - first], table.regions[label]);
     }
   }
-  return count;
 }
 
 }  // namespace
@@ -86,16 +85,14 @@ LabelStore::Offsets LabelStore::append(const LabelTables& other) {
   return offsets;
 }
 
-RegionLists LabelStore::number_regions() {
-  const LabelTable& background = tables_.of_colour[0];
-  const LabelTable& objects = tables_.of_colour[1];
-  const Label object_count = gather_regions(objects);
-  const Label background_count = gather_regions(background);
-  for (Label hole = 1; hole < background_count; ++hole) {
-    Label& enclosing_object = background.regions[hole].enclosing_object;
-    enclosing_object = objects.parents[enclosing_object] + 1;
-  }
-  return {{objects.regions, object_count}, {background.regions + 1, background_count - 1}};
+void LabelStore::list_objects(std::vector<Region>& objects) {
+  list_regions(tables_.of_colour[1], 0, objects);
+}
+
+void LabelStore::list_holes(std::vector<Region>& holes) {
+  list_regions(tables_.of_colour[0], 1, holes);
+  const Label* const objects = tables_.of_colour[1].parents;
+  for (Region& hole : holes) hole.enclosing_object = objects[hole.enclosing_object] + 1;
 }
 
 }  // namespace thinbench::detail

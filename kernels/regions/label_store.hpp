@@ -1,18 +1,11 @@
 // Owns provisional labels and turns them into numbered regions.
 #pragma once
 
-#include <span>
-
 #include "core/byte_image.hpp"
 #include "regions/label_table.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench::detail {
-
-/// Spans into the state's memory, valid until its next computation.
-struct RegionLists {
-  std::span<const Region> objects;
-  std::span<const Region> holes;
-};
 
 /// Memory for labels of both colours: 52 bytes per label. An image has at most
 /// height * (width + 1) / 2 labels and usually few, so memory grows on demand, by doubling, and is
@@ -34,9 +27,12 @@ class LabelStore {
   /// Appends the labels of a part of the image below this one. Its label i of colour c becomes
   /// i + of_colour[c], except that label 0 of the background remains 0.
   Offsets append(const LabelTables& other);
-  /// Sums the labels of each region and numbers the regions. Afterwards `parents[label]` is the
-  /// index of the label's object, or the index of its hole plus one (0: not a hole).
-  RegionLists number_regions();
+  /// Lists the objects, each the sum of its labels. Afterwards `parents[label]` is the index of the
+  /// label's object.
+  void list_objects(std::vector<Region>& objects);
+  /// Lists the holes, after list_objects(). Afterwards `parents[label]` is the index of the label's
+  /// hole plus one, or 0.
+  void list_holes(std::vector<Region>& holes);
 
  private:
   struct Memory {

@@ -42,6 +42,26 @@ void join_bands(LabelStore& labels, const RunRow& last_above, RunBand& lower) {
   join_rows(labels.tables(), last_above, lower.first_row());
 }
 
+/// Joins all background runs of a row at the image border with the outside.
+void join_border(LabelTables& tables, const RunRow& row) {
+  Label* const parents = tables.of_colour[0].parents;
+  for (Index i = 0; i <= row.count; i += 2) unite(parents, 0, row.labels[i]);
+}
+
+/// Labels row y as the first of a band: every run gets a new label, except the background runs at
+/// either end, which get 0.
+void label_first_row(const ConstBitPlaneView& image, Index y, RunLabelling& labelling) {
+  RunRow& row = labelling.above;
+  row.count = find_keys(image.row(y), words_with_boundaries(image.width), row.keys);
+  row.labels[0] = 0;
+  for (Index i = 1; i < row.count; ++i) {
+    const Label enclosing_object = i % 2 == 0 ? row.labels[i - 1] : 0;
+    row.labels[i] = new_label(labelling.tables.of_colour[i % 2], y, enclosing_object);
+  }
+  row.labels[row.count] = 0;
+  add_runs(labelling.tables, row, y);
+}
+
 }  // namespace
 
 RunBand::RunBand(Index width)
@@ -86,7 +106,7 @@ bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index 
 
 RunLabeller::RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width,
                          Index height, int threads)
-    : label_rows_(with_holes ? engine.holes : engine.components),
+    : label_rows_(with_holes ? engine.holes : engine.objects),
       with_holes_(with_holes),
       isa_(isa),
       team_(threads) {
@@ -94,18 +114,23 @@ RunLabeller::RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Inde
   for (Index band = 0; band < bands; ++band) bands_.emplace_back(width);
 }
 
-RegionLists RunLabeller::label(const ConstBitPlaneView& image) {
-  if (bands_.empty()) return {};
-  if (!label_bands(image)) return label_contacts(image);
+void RunLabeller::find(const ConstBitPlaneView& image, Regions& found) {
+  if (bands_.empty()) return;
+  if (!label_bands(image)) {
+    const LabelTask task = with_holes_ ? LabelTask::regions : LabelTask::objects_eight;
+    if (!contacts_) contacts_.emplace(LabelParameters{task}, isa_, image.width, image.height);
+    contacts_->find(image, found);
+    return;
+  }
   LabelStore& labels = bands_.front().labels();
   for (std::size_t i = 1; i < bands_.size(); ++i) {
     join_bands(labels, bands_[i - 1].last_row(), bands_[i]);
   }
+  labels.list_objects(found.objects);
+  if (!with_holes_) return;
   join_border(labels.tables(), bands_.front().first_row());
   join_border(labels.tables(), bands_.back().last_row());
-  RegionLists lists = labels.number_regions();
-  if (!with_holes_) lists.holes = {};
-  return lists;
+  labels.list_holes(found.holes);
 }
 
 bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
@@ -123,20 +148,6 @@ bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
     }
   });
   return is_done;
-}
-
-RegionLists RunLabeller::label_contacts(const ConstBitPlaneView& image) {
-  if (!contacts_) {
-    const LabelsTask task = with_holes_ ? LabelsTask::regions : LabelsTask::components_eight;
-    contacts_ = make_contact_labels({task}, isa_, image.width, image.height);
-  }
-  contacts_->find(image);
-  return contacts_->regions();
-}
-
-void join_border(LabelTables& tables, const RunRow& row) {
-  Label* const parents = tables.of_colour[0].parents;
-  for (Index i = 0; i <= row.count; i += 2) unite(parents, 0, row.labels[i]);
 }
 
 }  // namespace thinbench::detail

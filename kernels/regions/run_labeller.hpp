@@ -3,12 +3,12 @@
 #pragma once
 
 #include <deque>
-#include <memory>
+#include <optional>
 
 #include "core/thread_team.hpp"
-#include "regions/contact_labels.hpp"
+#include "regions/contact_labeller.hpp"
 #include "regions/label_store.hpp"
-#include "regions/run_engine.hpp"
+#include "regions/run_rows.hpp"
 
 namespace thinbench::detail {
 
@@ -41,23 +41,19 @@ class RunLabeller {
   RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width, Index height,
               int threads);
 
-  /// Objects and, if asked for, holes. Valid until the next call. Throws std::bad_alloc.
-  RegionLists label(const ConstBitPlaneView& image);
+  /// Lists objects and, if asked for, holes. Throws std::bad_alloc.
+  void find(const ConstBitPlaneView& image, Regions& found);
 
  private:
   /// False if a kernel gave up.
   bool label_bands(const ConstBitPlaneView& image);
-  RegionLists label_contacts(const ConstBitPlaneView& image);
 
   LabelRows label_rows_;
   bool with_holes_;
   Isa isa_;
   ThreadTeam team_;
   std::deque<RunBand> bands_;
-  std::unique_ptr<ContactLabels> contacts_;  // once they are needed
+  std::optional<ContactLabeller> contacts_;  // once they are needed
 };
-
-/// Joins all background runs of a row at the image border with the outside.
-void join_border(LabelTables& tables, const RunRow& row);
 
 }  // namespace thinbench::detail

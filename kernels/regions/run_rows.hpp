@@ -13,6 +13,7 @@
 #pragma once
 
 #include "regions/label_table.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 
@@ -108,6 +109,65 @@ template <bool with_background>
     add_run(tables.of_colour[i % 2].regions[row.labels[i]], column_of(row.keys[i - 1]),
             column_of(row.keys[i]), y);
   }
+}
+
+/// Sums of each run, used while the runs of adjacent rows match one to one. They are unsigned; the
+/// kernel adds them to the regions before any reaches 2^32.
+struct RunAccumulators {
+  Key* length = nullptr;     // sum of lengths
+  Key* squares = nullptr;    // sum of end^2 - begin^2, columns counted from 1
+  Key* rows = nullptr;       // sum of length * (row - first row)
+  Key* min_begin = nullptr;  // minimum of first keys
+  Key* max_end = nullptr;    // maximum of last keys
+};
+
+/// As many more dense rows than others a kernel takes before it gives up.
+inline constexpr Index kPatience = 32;
+inline constexpr Index kEndlessPatience = Index{1} << 40;
+
+/// The working data of a kernel, in the caller's memory. Rows of runs and accumulators have room
+/// for any row plus 2 * kKeyPadding.
+struct RunLabelling {
+  LabelTables tables;
+  RunRow above;  // the last row that was labelled and summed
+  RunRow here;   // memory for the next one
+  RunAccumulators accumulators;
+  /// A kernel may count here the rows on which contacts of runs are faster, and give up below 0.
+  Index patience = kPatience;
+};
+
+/// Labels and sums rows [first, last), given `above`. Returns `last`, or the first row not
+/// processed because the tables need room for (width + 1) / 2 more labels, or patience is at an
+/// end.
+using LabelRows = Index (*)(const ConstBitPlaneView& image, Index first, Index last,
+                            RunLabelling& labelling);
+
+/// `holes` labels background runs too, `objects` only foreground. Compiled for every ISA.
+struct RunEngine {
+  LabelRows holes;
+  LabelRows objects;
+};
+
+/// LabelRows without accumulators.
+template <bool with_background>
+[[gnu::always_inline]] inline Index label_rows_singly(const ConstBitPlaneView& image, Index first,
+                                                      Index last, RunLabelling& labelling) {
+  const Index words = words_with_boundaries(image.width);
+  RunRow above = labelling.above;
+  RunRow here = labelling.here;
+  Index y = first;
+  for (; y < last && has_room(labelling.tables, image.width); ++y) {
+    here.count = find_keys(image.row(y), words, here.keys);
+    label_runs<with_background>(labelling.tables, above, 0, here.keys, here.labels, 0, here.count,
+                                y);
+    add_runs(labelling.tables, here, y);
+    const RunRow labelled = here;
+    here = above;
+    above = labelled;
+  }
+  labelling.above = above;
+  labelling.here = here;
+  return y;
 }
 
 }  // namespace thinbench::detail

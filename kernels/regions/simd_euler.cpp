@@ -15,6 +15,15 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
+/// Counts a word, by popcnt where the ISA has it.
+struct WordCounter {
+  std::int64_t total = 0;
+  [[gnu::always_inline]] void add(const EulerTerms<std::uint64_t>& terms) {
+    total += __builtin_popcountll(terms.plus) - __builtin_popcountll(terms.minus);
+  }
+  [[nodiscard]] [[gnu::always_inline]] std::int64_t sum() const { return total; }
+};
+
 /// Counts each lane with one instruction.
 template <class Word>
 struct LaneCounter {
@@ -62,7 +71,19 @@ using Counter = std::conditional_t<kCountsInBatches, BatchCounter, WordCounter>;
 
 template <class Connectivity>
 std::int64_t count(const ConstBitPlaneView& image, Index first, Index last) {
-  return sum_euler<Connectivity, CountedWord, Counter>(image, first, last);
+  using Traits = WordTraits<CountedWord>;
+  const Index words = image.width / kWordBits + 1;
+  Counter counter;
+  for (Index y = first; y < last; ++y) {
+    const std::uint64_t* row = image.row(y);
+    const std::uint64_t* above = image.row(y - 1);
+    for (Index i = 0; i < words; i += Traits::kElements) {
+      const CountedWord c = Traits::load(row + i);
+      const CountedWord n = Traits::load(above + i);
+      counter.add(Connectivity::terms(c, Traits::west(c, row + i), n, Traits::west(n, above + i)));
+    }
+  }
+  return counter.sum();
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 // minima, 8 loads and 5 stores, where bitpacked_runs takes about 30 instructions per run. Finding
 // boundaries costs the same as there, except that AVX-512 skips eight words without boundaries at
 // once, and with VBMI2 one compress lists all boundaries of a word.
+#include <type_traits>
+
 #include "core/exported.hpp"
-#include "regions/run_engine.hpp"
-#include "regions/simd_keys.hpp"
+#include "regions/run_rows.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {
@@ -18,6 +19,54 @@ namespace {
 using KeyBatch = BatchOf<Key>;
 constexpr Index kLanes = static_cast<Index>(KeyBatch::size);
 static_assert(kLanes <= kKeyPadding);
+static_assert(std::is_same_v<Key, IntBatch::value_type>);
+
+/// As find_keys_of_word; with byte compress it writes whole vectors of keys.
+///   bits       ..1....1.1     bytes  0 2 7 0 ..      keys  2 (64 word + 1 + byte) + (is an end)
+[[gnu::always_inline]] inline int store_keys(std::uint64_t bits, Index word, Index before,
+                                             Key* keys) {
+  if constexpr (!kHasByteCompress) {
+    return static_cast<int>(find_keys_of_word(bits, word, before, keys));
+  } else {
+    const ByteBatch bytes = set_bit_places(bits);
+    // Every other boundary ends a run: the first one if an odd number of keys precedes it.
+    const WordBatch is_end(before % 2 == 0 ? std::uint64_t{1} << 32 : 1);
+    const IntBatch first =
+        IntBatch(static_cast<Key>(2 * (word * kWordBits + 1))) + reinterpreted<IntBatch>(is_end);
+    const auto store = [&](IntBatch sixteen, Index at) {
+      ((sixteen << 1) + first).store_unaligned(keys + at);
+    };
+    const int count = __builtin_popcountll(bits);
+    store(widened_quarter<0>(bytes), 0);
+    if (__builtin_expect(count > 16, 0)) {
+      store(widened_quarter<1>(bytes), 16);
+      store(widened_quarter<2>(bytes), 32);
+      store(widened_quarter<3>(bytes), 48);
+    }
+    return count;
+  }
+}
+
+/// Writes the keys of a row and returns their number. Where a register holds eight words, words
+/// without boundaries are skipped eight at a time.
+[[gnu::always_inline]] inline Index find_keys_of_row(const std::uint64_t* row, Index words,
+                                                     Key* keys) {
+  if constexpr (!kRegisterHoldsRow) {
+    return find_keys(row, words, keys);
+  } else {
+    Index count = 0;
+    for (Index block = 0; block < words; block += kBlockWords) {
+      const WordBatch here = WordBatch::load_unaligned(row + block);
+      const WordBatch differing = here ^ WordTraits<WordBatch>::west(here, row + block);
+      for (std::uint32_t left = nonzero_lanes(differing); left != 0; left &= left - 1) {
+        const Index word = block + __builtin_ctz(left);
+        count += store_keys(boundaries(row + word), word, count, keys + count);
+      }
+    }
+    end_keys(keys, count);
+    return count;
+  }
+}
 
 /// Whether each of runs [0, count] touches its counterpart above and no other run.
 [[gnu::always_inline]] inline bool all_match(const Key* above, const Key* here, Index count) {
@@ -209,8 +258,14 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   return y;
 }
 
+/// Wider images do not fit 32-bit accumulators even for one row.
+constexpr Index kMaxWidth = 65534;
+
 template <bool with_background>
 Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLabelling& labelling) {
+  if (image.width > kMaxWidth) {
+    return label_rows_singly<with_background>(image, first, last, labelling);
+  }
   const Index max_rows = max_rows_per_flush(image.width);
   Index y = first;
   while (y < last) {

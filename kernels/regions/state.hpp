@@ -1,99 +1,162 @@
-// The states of the operations on objects and holes: a variant with its memory.
+// The states of the operations on objects and holes: a variant with its memory. Each works on
+// packed bits, one per pixel.
 #pragma once
 
 #include <memory>
 #include <span>
-#include <stdexcept>
 
+#include "core/checks.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
+#include "core/thread_team.hpp"
 #include "core/variant.hpp"
-#include "regions/label_store.hpp"
+#include "regions/contact_labeller.hpp"
+#include "regions/euler.hpp"
+#include "regions/hole_filler.hpp"
+#include "regions/run_labeller.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench::detail {
 
-/// What to compute: lists of regions (holes, components), the Euler number with 8- or 4-connected
-/// objects, or an image (fill; fill_four with 4-connected objects).
-enum class RegionsTask : std::uint8_t {
-  holes,
-  components,
-  euler_eight,
-  euler_four,
-  fill,
-  fill_four
+/// An image as packed bits.
+class PackedImage {
+ public:
+  PackedImage(Isa isa, Index width, Index height)
+      : conversion_(plane_conversion<std::uint64_t>(isa)), bits_(width, height) {}
+
+  /// Valid until the next call. `source` must have the size of this.
+  ConstBitPlaneView read(const ConstImageView& source) {
+    conversion_.read(source, bits_.view());
+    return bits_.view();
+  }
+
+ private:
+  const PlaneConversion<std::uint64_t>& conversion_;
+  BitPlane bits_;
 };
 
-struct RegionsParameters {
-  RegionsTask task;
-  std::int64_t max_area = kAnyHoleArea;  // of holes to fill
+/// For lists of regions.
+struct ListParameters {
+  bool with_holes;
 };
-/// That of the two for this connectivity of objects. Throws std::invalid_argument.
-[[nodiscard]] RegionsTask task_for(Connectivity objects, RegionsTask eight, RegionsTask four);
+using ListSetting = Setting<ListParameters>;
+
+/// Lists of objects and, if asked for, holes. Threads share bands of rows.
+class ListState {
+ public:
+  using Parameters = ListParameters;
+
+  static void check(const ListParameters& /*parameters*/, Index width, Index height) {
+    require_regions_size(width, height);
+  }
+  ListState(const RunEngine& engine, const ListSetting& setting)
+      : image_(setting.isa, setting.width, setting.height),
+        labeller_(engine, setting.with_holes, setting.isa, setting.width, setting.height,
+                  setting.threads) {}
+
+  void run(const ConstImageView& source, Regions& found) { find(image_.read(source), found); }
+  void find(const ConstBitPlaneView& image, Regions& found) { labeller_.find(image, found); }
+
+ private:
+  PackedImage image_;
+  RunLabeller labeller_;
+};
+
+using LabelSetting = Setting<LabelParameters>;
+
+/// Label images of objects and, if asked for, of holes.
+class LabelState {
+ public:
+  using Parameters = LabelParameters;
+
+  static void check(const LabelParameters& parameters, Index width, Index height);
+  explicit LabelState(const LabelSetting& setting)
+      : image_(setting.isa, setting.width, setting.height),
+        contacts_(setting, setting.isa, setting.width, setting.height) {}
+
+  /// Returns the number of objects; sets the lists that the task has.
+  Label run(const ConstImageView& source, const LabelView& labels, Regions& found);
+
+ private:
+  PackedImage image_;
+  ContactLabeller contacts_;
+};
+
+/// The connectivity of objects; that of the background is the other one.
+struct EulerParameters {
+  Connectivity objects;
+};
+using EulerSetting = Setting<EulerParameters>;
+
+/// The Euler number. Threads share rows.
+class EulerState {
+ public:
+  using Parameters = EulerParameters;
+
+  static void check(const EulerParameters& /*parameters*/, Index width, Index height) {
+    require_regions_size(width, height);
+  }
+  explicit EulerState(const EulerSetting& setting);
+
+  [[nodiscard]] std::int64_t run(const ConstImageView& source) {
+    return count(image_.read(source));
+  }
+  [[nodiscard]] std::int64_t count(const ConstBitPlaneView& image) const;
+
+ private:
+  EulerKernel kernel_;
+  PackedImage image_;
+  ThreadTeam team_;
+};
+
+struct FillParameters {
+  Connectivity objects;
+  std::int64_t max_area = kAnyHoleArea;
+};
+using FillSetting = Setting<FillParameters>;
+
+/// Objects with their holes filled.
+class FillState {
+ public:
+  using Parameters = FillParameters;
+
+  static void check(const FillParameters& parameters, Index width, Index height);
+  explicit FillState(const FillSetting& setting);
+
+  void run(const ConstImageView& source, const ImageView& destination) {
+    conversion_.write(fill(image_.read(source)), destination);
+  }
+  /// Valid until the next call.
+  ConstBitPlaneView fill(const ConstBitPlaneView& image) {
+    filler_.fill(image, filled_.view());
+    return filled_.view();
+  }
+
+ private:
+  const PlaneConversion<std::uint64_t>& conversion_;
+  PackedImage image_;
+  HoleFiller filler_;
+  BitPlane filled_;
+};
+
+using ListOperation = Operation<bool, ListState>;  // by with_holes
+using LabelOperation = Operation<LabelTask, LabelState>;
+using EulerOperation = Operation<Connectivity, EulerState>;
+using FillOperation = Operation<Connectivity, FillState>;
+
+// They live as long as the program.
+[[nodiscard]] std::span<const ListOperation> list_operations();
+[[nodiscard]] std::span<const LabelOperation> label_operations();
+[[nodiscard]] std::span<const EulerOperation> euler_operations();
+[[nodiscard]] std::span<const FillOperation> fill_operations();
+
+// Throw std::invalid_argument for a value outside the enumeration.
+[[nodiscard]] const ListOperation& operation_of(const ListParameters& parameters);
+[[nodiscard]] const LabelOperation& operation_of(const LabelParameters& parameters);
+[[nodiscard]] const EulerOperation& operation_of(const EulerParameters& parameters);
+[[nodiscard]] const FillOperation& operation_of(const FillParameters& parameters);
+
 /// Rejects a negative area.
 void require_max_area(std::int64_t max_area);
-
-using RegionsSetting = Setting<RegionsParameters>;
-
-/// Owns all memory for images of one size: one bit per pixel for packed images, one byte for `lut`,
-/// five bytes for `union_find`. Filling takes another bit or byte per pixel, and where it labels
-/// runs, two bits per pixel and 8 bytes per run. Regions take 52 bytes per provisional label (at
-/// most one per two pixels; on images of parts one per some thousand). Memory for labels and runs
-/// grows on demand: compute() allocates only when an image has more of them than all before.
-class RegionsState {
- public:
-  using Parameters = RegionsParameters;
-
-  static void check(const RegionsParameters& parameters, Index width, Index height) {
-    require_regions_size(width, height);
-    require_max_area(parameters.max_area);
-  }
-
-  RegionsState() = default;
-  virtual ~RegionsState() = default;
-  RegionsState(const RegionsState&) = delete;
-  RegionsState& operator=(const RegionsState&) = delete;
-
-  /// Packs the image.
-  virtual void load(const ConstImageView& source) = 0;
-  /// Does not change the loaded image, so it may be repeated.
-  virtual void compute() = 0;
-  /// The result of the task; the other two functions throw std::logic_error. Lists are valid until
-  /// the next compute().
-  [[nodiscard]] virtual RegionLists regions() const { throw_other_result(); }
-  [[nodiscard]] virtual std::int64_t number() const { throw_other_result(); }
-  virtual void store(const ImageView& /*destination*/) const { throw_other_result(); }
-
- private:
-  [[noreturn]] static void throw_other_result() {
-    throw std::logic_error("the operation has another kind of result");
-  }
-};
-
-/// The base of states that work on a plane of T.
-template <class T>
-class RegionsPlaneState : public RegionsState {
- public:
-  explicit RegionsPlaneState(const RegionsSetting& setting)
-      : conversion_(plane_conversion<T>(setting.isa)), image_(setting.width, setting.height) {}
-
-  void load(const ConstImageView& source) override { conversion_.read(source, image_.view()); }
-
- protected:
-  [[nodiscard]] ConstPlaneView<T> image() const { return image_.view(); }
-  [[nodiscard]] const PlaneConversion<T>& conversion() const { return conversion_; }
-
- private:
-  const PlaneConversion<T>& conversion_;
-  Plane<T> image_;
-};
-
-using RegionsVariant = Variant<RegionsState>;
-using RegionsVariants = VariantList<RegionsState>;
-using RegionsOperation = Operation<RegionsTask, RegionsState>;
-
-/// They live as long as the program.
-[[nodiscard]] std::span<const RegionsOperation> regions_operations();
-[[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
 }  // namespace thinbench::detail

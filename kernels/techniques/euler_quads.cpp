@@ -41,25 +41,15 @@ std::int64_t count_quads(const ConstBytePlaneView& image) {
   return total;
 }
 
-class EulerQuadState final : public RegionsPlaneState<std::uint8_t> {
- public:
-  explicit EulerQuadState(const RegionsSetting& setting)
-      : RegionsPlaneState(setting),
-        count_(setting.task == RegionsTask::euler_eight ? &count_quads<EulerEight>
-                                                        : &count_quads<EulerFour>) {}
-
-  void compute() override { number_ = count_(image()); }
-  [[nodiscard]] std::int64_t number() const override { return number_; }
-
- private:
-  std::int64_t (*count_)(const ConstBytePlaneView& image);
-  std::int64_t number_ = 0;
-};
-
 }  // namespace
 
-std::unique_ptr<RegionsState> make_euler_quads(const RegionsSetting& setting) {
-  return std::make_unique<EulerQuadState>(setting);
+EulerQuads::EulerQuads(Connectivity objects, Index width, Index height)
+    : count_(objects == Connectivity::eight ? &count_quads<EulerEight> : &count_quads<EulerFour>),
+      image_(width, height) {}
+
+std::int64_t EulerQuads::run(const ConstImageView& source) {
+  plane_conversion<std::uint8_t>(Isa::baseline).read(source, image_.view());
+  return count_(image_.view());
 }
 
 }  // namespace thinbench::detail

@@ -1,23 +1,59 @@
-// States of regions that are compared with those of the product.
+// Regions by techniques that are compared with those of the product.
 #pragma once
 
-#include "regions/labels_state.hpp"
 #include "regions/state.hpp"
 #include "techniques/byte_planes.hpp"
 
 namespace thinbench::detail {
 
-/// By union-find on pixels: holes and components, and filling.
-[[nodiscard]] std::unique_ptr<RegionsState> make_union_find(const RegionsSetting& setting);
-[[nodiscard]] std::unique_ptr<RegionsState> make_union_find_fill(const RegionsSetting& setting);
+/// The states of lists by union-find over the runs of one row after the other.
+[[nodiscard]] std::unique_ptr<ListState> make_bitpacked_runs(const ListSetting& setting);
 
-/// Filling from lists of all runs.
-[[nodiscard]] std::unique_ptr<RegionsState> make_run_fill(const RegionsSetting& setting);
+/// Labels of both colours, with a margin one pixel wide that has label 0 of the background.
+class LabelPlane {
+ public:
+  LabelPlane(Index width, Index height)
+      : stride_(width + 2),
+        labels_(make_aligned<Label>(static_cast<std::size_t>(stride_ * (height + 2)))) {}
 
-/// Label images from lists of all runs.
-[[nodiscard]] std::unique_ptr<LabelsState> make_run_labels(const LabelsSetting& setting);
+  [[nodiscard]] Label* row(Index y) { return labels_.get() + (y + 1) * stride_ + 1; }
+  [[nodiscard]] Index stride() const { return stride_; }
+
+ private:
+  Index stride_;
+  AlignedArray<Label> labels_;
+};
+
+/// Regions of images of one size by union-find on pixels.
+class UnionFind {
+ public:
+  UnionFind(Index width, Index height);
+
+  void find(const ConstImageView& source, bool with_holes, Regions& found);
+  void fill(const ConstImageView& source, const ImageView& destination);
+
+ private:
+  void label(const ConstImageView& source);
+  void label_row(Index y);
+  Label foreground_label(const std::uint8_t* pixel, const Label* label, Index y);
+  Label background_label(const std::uint8_t* pixel, const Label* label, Index y);
+  void join_lower_border();
+
+  BytePlane image_;
+  LabelPlane labels_;
+  LabelStore store_;
+};
 
 /// Euler numbers by a look-up table.
-[[nodiscard]] std::unique_ptr<RegionsState> make_euler_quads(const RegionsSetting& setting);
+class EulerQuads {
+ public:
+  EulerQuads(Connectivity objects, Index width, Index height);
+
+  [[nodiscard]] std::int64_t run(const ConstImageView& source);
+
+ private:
+  std::int64_t (*count_)(const ConstBytePlaneView& image);
+  BytePlane image_;
+};
 
 }  // namespace thinbench::detail

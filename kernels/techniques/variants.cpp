@@ -7,7 +7,6 @@
 #include "distance/kernels.hpp"
 #include "graph/node_pixels.hpp"
 #include "techniques/autovec_edges.hpp"
-#include "techniques/regions.hpp"
 #include "techniques/thinning.hpp"
 
 namespace thinbench::detail::study {
@@ -63,27 +62,6 @@ std::vector<Operation> extended(std::span<const Operation> operations,
   return all;
 }
 
-RegionsVariants regions_techniques(RegionsTask task) {
-  RegionsVariants list;
-  if (task == RegionsTask::fill) {
-    list.add("union_find", Isa::baseline, &make_union_find_fill, {0});
-    list.add("bitpacked_runs", Isa::baseline, &make_run_fill, {0});
-  } else if (task == RegionsTask::fill_four) {
-    return list;
-  } else if (task == RegionsTask::holes || task == RegionsTask::components) {
-    list.add("union_find", Isa::baseline, &make_union_find, {0});
-  } else {
-    list.add("lut", Isa::baseline, &make_euler_quads, {0});
-  }
-  return list;
-}
-
-LabelsVariants labels_techniques() {
-  LabelsVariants list;
-  list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
-  return list;
-}
-
 std::unique_ptr<EdgeState> make_autovec_edges(const EdgeSetting& setting) {
   const AutovecEdgeKernels& kernels = kernels_of<AutovecEdgeKernels>(setting.isa);
   return std::make_unique<EdgeState>(kernels.bytes[setting.op], setting);
@@ -120,19 +98,6 @@ std::span<const EdgeOperation> edge_operations() {
   return all;
 }
 
-std::span<const RegionsOperation> regions_operations() {
-  static const auto all = extended(detail::regions_operations(), [](const auto& operation) {
-    return regions_techniques(operation.key);
-  });
-  return all;
-}
-
-std::span<const LabelsOperation> labels_operations() {
-  static const auto all =
-      extended(detail::labels_operations(), [](const auto&) { return labels_techniques(); });
-  return all;
-}
-
 const DistanceOperation& distance_operation() {
   static const DistanceOperation operation = [] {
     VariantList<DistanceState> list;
@@ -154,10 +119,6 @@ const GraphOperation& graph_operation() {
 const ThinningOperation& operation_of(BuiltInRule rule) {
   static_cast<void>(rule_info(rule));
   return thinning_operations()[static_cast<std::size_t>(rule)];
-}
-
-const RegionsOperation& operation_of(RegionsTask task) {
-  return operation_with(task, regions_operations(), "task");
 }
 
 std::vector<ThinningVariant> thinning_variants(const Rule& rule) {

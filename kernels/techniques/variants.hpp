@@ -8,8 +8,6 @@
 #include "edges/state.hpp"
 #include "graph/state.hpp"
 #include "localise/state.hpp"
-#include "regions/labels_state.hpp"
-#include "regions/state.hpp"
 #include "thinning/operations.hpp"
 
 namespace thinbench::detail::study {
@@ -17,14 +15,11 @@ namespace thinbench::detail::study {
 // All live as long as the program.
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
-[[nodiscard]] std::span<const RegionsOperation> regions_operations();
-[[nodiscard]] std::span<const LabelsOperation> labels_operations();
 [[nodiscard]] const DistanceOperation& distance_operation();
 [[nodiscard]] const GraphOperation& graph_operation();
 
-/// Throw std::invalid_argument for a value outside the enumeration.
+/// Throws std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] const ThinningOperation& operation_of(BuiltInRule rule);
-[[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
 /// All variants of any rule.
 [[nodiscard]] std::vector<ThinningVariant> thinning_variants(const Rule& rule);

@@ -9,9 +9,8 @@
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
 #include "harness/verify.hpp"
-#include "regions/labels_state.hpp"
+#include "regions/state.hpp"
 #include "support/made_image.hpp"
-#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
@@ -127,18 +126,19 @@ TEST(LabelStates, write_the_same_at_every_stride_and_address_and_nothing_beside)
   const ByteImage image = noise_image(width, height, 45, 5, 3);
   std::vector<std::int32_t> expected(std::size_t{width * height});
   const LabelView tight(expected.data(), width, height);
-  for (const detail::LabelsOperation& operation : detail::study::labels_operations()) {
-    const detail::LabelsParameters parameters = {operation.key};
+  Regions lists;
+  for (const detail::LabelOperation& operation : detail::label_operations()) {
+    const detail::LabelParameters parameters = {operation.key};
     detail::make_state(operation.variants.front(), width, height, parameters, 1)
-        ->run(image.view(), tight);
-    for (const detail::LabelsVariant& variant : operation.variants) {
+        ->run(image.view(), tight, lists);
+    for (const auto& variant : operation.variants) {
       if (!unavailable_reason(variant, width).empty()) continue;
       const auto state = detail::make_state(variant, width, height, parameters, 1);
       for (const Index extra : {0, 1, 3, 16, 25}) {
         const auto stride = width + extra;
         std::vector<std::int32_t> found(std::size_t(stride * height + 32), kUnwritten);
         const LabelView view(found.data() + 16 - extra % 16, width, height, stride);
-        state->run(image.view(), view);
+        state->run(image.view(), view, lists);
         std::size_t written = 0;
         for (const std::int32_t label : found) written += label != kUnwritten ? 1 : 0;
         ASSERT_EQ(written, expected.size()) << operation.name << ' ' << isa_name(variant.isa);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "localise/state.hpp"
+#include "regions/state.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -37,9 +38,10 @@ TEST(Catalogue, names_are_unique_and_map_to_their_enumerators) {
     EXPECT_EQ(edge_operator_from_name(info.name), info.op);
     EXPECT_EQ(edge_operator_from_name(info.operation), info.op);
   }
-  for (const RegionsOperation& operation : study::regions_operations()) {
-    EXPECT_TRUE(names.insert(operation.name).second) << operation.name;
-  }
+  for (const auto& operation : list_operations()) EXPECT_TRUE(names.insert(operation.name).second);
+  for (const auto& operation : label_operations()) EXPECT_TRUE(names.insert(operation.name).second);
+  for (const auto& operation : euler_operations()) EXPECT_TRUE(names.insert(operation.name).second);
+  for (const auto& operation : fill_operations()) EXPECT_TRUE(names.insert(operation.name).second);
   EXPECT_TRUE(names.insert(localise_operation().name).second);
   EXPECT_EQ(rule_from_name("thin_zhang"), std::nullopt);
   EXPECT_EQ(edge_operator_from_name("canny"), std::nullopt);
@@ -81,7 +83,10 @@ void expect_all_extended(const Operations& product, const Operations& study) {
 TEST(Catalogue, every_operation_has_unique_variants_and_one_for_any_machine_and_image) {
   expect_all_extended(thinning_operations(), study::thinning_operations());
   expect_all_extended(edge_operations(), study::edge_operations());
-  expect_all_extended(regions_operations(), study::regions_operations());
+  for (const auto& operation : list_operations()) expect_valid_variants(operation);
+  for (const auto& operation : label_operations()) expect_valid_variants(operation);
+  for (const auto& operation : euler_operations()) expect_valid_variants(operation);
+  for (const auto& operation : fill_operations()) expect_valid_variants(operation);
   expect_extended(distance_operation(), study::distance_operation());
   expect_extended(graph_operation(), study::graph_operation());
   expect_valid_variants(localise_operation());
