@@ -141,7 +141,7 @@ inline void require_reserved(const char* name, int32_t reserved) {
 [[nodiscard]] ConstImageView image_of(const thinbench_stack* stack);
 
 [[nodiscard]] inline Spacing spacing_of(const thinbench_spacing* spacing) {
-  return spacing == nullptr ? Spacing{} : Spacing{spacing->y, spacing->x};
+  return spacing == nullptr ? Spacing{} : Spacing{spacing->x, spacing->y};
 }
 
 /// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and

@@ -65,7 +65,7 @@ thinbench_status thinbench_label_distances(const int32_t* labels, ptrdiff_t labe
                                            const thinbench_spacing* spacing,
                                            const thinbench_execution* execution) {
   return guarded([&] {
-    label_distances({labels, width, height, labels_stride},
+    distances_of_labels({labels, width, height, labels_stride},
                     {distances, width, height, distances_stride}, spacing_of(spacing),
                     execution_of(execution));
   });
@@ -96,7 +96,7 @@ thinbench_status thinbench_graph_subgraph(const thinbench_graph* graph, const ui
 thinbench_status thinbench_graph_split(const thinbench_graph* graph, const thinbench_pixel* pixels,
                                        size_t count, thinbench_graph** split) {
   return give(graph, split, "split", [&](const Graph& whole) {
-    return split_at(whole, list_from<Pixel>(pixels, count, "pixels"));
+    return split_graph(whole, list_from<Pixel>(pixels, count, "pixels"));
   });
 }
 
@@ -126,7 +126,7 @@ thinbench_status thinbench_graph_summary(const thinbench_graph* graph,
     require_pointer(graph, "graph");
     if (graph->edges.empty()) return;
     require_pointer(branches, "branches");
-    for (const Branch& row : summary(*graph, spacing_of(spacing))) {
+    for (const Branch& row : branches(*graph, spacing_of(spacing))) {
       *branches++ = {row.component,
                      row.from,
                      row.to,

@@ -61,9 +61,8 @@ thinbench_status thinbench_shortest_path(uint32_t nodes, const thinbench_link* l
                                          size_t link_count, uint32_t from, uint32_t to,
                                          thinbench_graph_paths** paths) {
   return give(paths, [&] {
-    std::vector<GraphPath> found = {shortest_path(nodes, links_from(links, link_count), from, to)};
-    if (found.front().nodes.empty()) found.clear();
-    return found;
+    const auto found = shortest_path(nodes, links_from(links, link_count), from, to);
+    return found ? std::vector<GraphPath>{*found} : std::vector<GraphPath>();
   });
 }
 

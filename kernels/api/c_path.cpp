@@ -1,6 +1,4 @@
 // The C interface of paths.
-#include <algorithm>
-
 #include "api/c_arguments.hpp"
 #include "thinbench.h"
 #include "thinbench/path.hpp"
@@ -15,10 +13,8 @@ thinbench_status thinbench_find_path(const thinbench_stack* free, thinbench_pixe
     require_pointer(pixels, "pixels");
     require_pointer(count, "count");
     const PathRequest request = {{start.x, start.y}, {goal.x, goal.y}, width};
-    const FoundPath path = find_path(image_of(free), request, execution_of(execution));
-    std::transform(path.pixels.begin(), path.pixels.end(), pixels, [](Pixel p) {
-      return thinbench_pixel{p.x, p.y};
-    });
-    *count = path.pixels.size();
+    const auto path = find_path(image_of(free), request, execution_of(execution));
+    *count = path ? path->pixels.size() : 0;
+    for (std::size_t i = 0; i < *count; ++i) pixels[i] = {path->pixels[i].x, path->pixels[i].y};
   });
 }

@@ -8,6 +8,7 @@
 #include "binarise/local_means.hpp"
 #include "core/byte_image.hpp"
 #include "core/checks.hpp"
+#include "core/variant.hpp"
 
 namespace thinbench {
 namespace {
@@ -110,9 +111,11 @@ void binarise_locally(const ConstImageView& grey, const ImageView& destination,
 
 }  // namespace
 
-Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request) {
+Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request,
+                   const Execution& execution) {
   detail::check_views(grey, destination, detail::InPlace::allowed);
   check(request);
+  static_cast<void>(detail::checked_isa(execution));
   Binarised result;
   result.threshold = request.threshold.value_or(1);
   if (request.foreground == Foreground::dark) result.foreground = Foreground::dark;

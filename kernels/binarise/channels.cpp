@@ -5,6 +5,7 @@
 #include "binarise/histogram.hpp"
 #include "core/byte_image.hpp"
 #include "core/checks.hpp"
+#include "core/variant.hpp"
 #include "thinbench/binarise.hpp"
 
 namespace thinbench {
@@ -84,6 +85,7 @@ void check(const ConstColourView& colours, const ImageView& destination, Channel
   detail::require_enumerator(channel, kChannelNames.size(), "channel");
   require(colours.samples == 3 || colours.samples == 4,
           "colours: expected 3 or 4 bytes per pixel, got " + std::to_string(colours.samples));
+  detail::require_size(colours.width, colours.height);
   detail::require_max_pixels(colours.width, colours.height);
   const detail::Memory from = {"colours",     colours.data,   1,
                                colours.width, colours.height, colours.samples * colours.width,
@@ -99,8 +101,10 @@ void check(const ConstColourView& colours, const ImageView& destination, Channel
 
 }  // namespace
 
-Channel select_channel(const ConstColourView& colours, ImageView destination, Channel channel) {
+Channel select_channel(ConstColourView colours, ImageView destination, Channel channel,
+                       const Execution& execution) {
   check(colours, destination, channel);
+  static_cast<void>(detail::checked_isa(execution));
   if (channel == Channel::grey || !has_colours(colours)) channel = Channel::grey;
   if (channel == Channel::automatic) channel = best_channel(colours, destination);
   write_channel(colours, destination, channel);

@@ -186,10 +186,9 @@ void require_not_negative(const char* name, double number) {
 }
 
 void require_spacing(const Spacing& spacing) {
-  for (const double distance : {spacing.y, spacing.x}) {
+  for (const double distance : {spacing.x, spacing.y}) {
     require(distance >= 1e-30 && distance <= 1e30, [&] {
-      return "spacing: expected numbers from 1e-30 to 1e30, got " + number_text(spacing.y) + ", " +
-             number_text(spacing.x);
+      return "spacing: expected numbers from 1e-30 to 1e30, got " + number_text(distance);
     });
   }
 }

@@ -8,6 +8,7 @@
 
 #include "thinbench/distance.hpp"
 #include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench::detail {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -56,12 +57,29 @@ Features missing(Isa isa) {
   return info_of(isa).features & ~available;
 }
 
+/// Throws for an unknown name.
 std::optional<Isa> read_cap() {
   const char* text = std::getenv(kIsaCapVariable);
   if (text == nullptr || *text == '\0') return std::nullopt;
   if (const auto isa = isa_from_name(text)) return isa;
   throw std::invalid_argument(std::string(kIsaCapVariable) + ": expected one of " + names() +
                               ", got '" + text + "'");
+}
+
+/// An unknown name is reported once, then there is no cap.
+std::optional<Isa> cap_or_none() {
+  try {
+    return read_cap();
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "thinbench: %s; there is no cap\n", error.what());
+    return std::nullopt;
+  }
+}
+
+/// Read once.
+std::optional<Isa> cap_in_use() {
+  static const std::optional<Isa> cap = cap_or_none();
+  return cap;
 }
 
 }  // namespace
@@ -122,7 +140,7 @@ std::optional<Isa> isa_cap() {
 
 bool isa_available(Isa isa) {
   const auto& wanted = info_of(isa);  // throws outside the enumeration
-  const std::optional<Isa> cap = isa_cap();
+  const std::optional<Isa> cap = cap_in_use();
   const bool allowed = !cap || (wanted.features & ~info_of(*cap).features) == 0;
   const bool compiled = std::find(kIsas.begin(), kIsas.end(), isa) != kIsas.end();
   return allowed && compiled && cpu_supports(isa);

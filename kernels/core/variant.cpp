@@ -52,6 +52,13 @@ void require_available(const VariantInfo& variant, Index width) {
                               std::string(isa_name(variant.isa)) + " cannot run: " + reason);
 }
 
+Isa checked_isa(const Execution& execution) {
+  require_threads(execution.threads);
+  if (!execution.isa) return best_isa();
+  require_available({.technique = "this function", .isa = *execution.isa}, 0);
+  return *execution.isa;
+}
+
 std::size_t choose_variant(std::string_view operation, std::span<const VariantInfo> variants,
                            Index width, Index height, const Execution& execution) {
   require_threads(execution.threads);

@@ -99,6 +99,10 @@ template <class Type>
 /// Rejects a variant that cannot run on this machine for this width.
 void require_available(const VariantInfo& variant, Index width);
 
+/// The ISA of functions without variants. Rejects threads out of range and an ISA that is not
+/// available.
+[[nodiscard]] Isa checked_isa(const Execution& execution);
+
 /// The index of the variant with the highest priority that fits; one thread for images below
 /// kMinPixelsForThreads and where no variant uses several. Throws std::invalid_argument for threads
 /// out of range, and if no variant fits, with the reason why the last candidate cannot run or,

@@ -83,7 +83,7 @@ LabelGraph graph_of_labels(ConstLabelView skeletons, const Execution& execution)
   return sorted(all, skeletons);
 }
 
-void label_distances(ConstLabelView labels, View<double> distances, const Spacing& spacing,
+void distances_of_labels(ConstLabelView labels, View<double> distances, const Spacing& spacing,
                      const Execution& execution) {
   detail::check(detail::memory_of("labels", labels), detail::memory_of("distances", distances),
                 detail::InPlace::rejected);

@@ -99,15 +99,16 @@ std::vector<Link> links_of(const Graph& graph, const Spacing& spacing) {
   return links;
 }
 
-GraphPath shortest_path(std::uint32_t nodes, std::span<const Link> links, std::uint32_t from,
-                        std::uint32_t to) {
+std::optional<GraphPath> shortest_path(std::uint32_t nodes, std::span<const Link> links,
+                                       std::uint32_t from, std::uint32_t to) {
   detail::require(std::max(from, to) < nodes, "expected nodes below " + std::to_string(nodes) +
                                                   ", got " + std::to_string(from) + " and " +
                                                   std::to_string(to));
   const detail::Network network(nodes, links);
   detail::ShortestPaths paths(network);
   paths.search(from);
-  return paths.is_reached(to) ? paths.path_to(to) : GraphPath{};
+  if (!paths.is_reached(to)) return std::nullopt;
+  return paths.path_to(to);
 }
 
 }  // namespace thinbench

@@ -107,7 +107,8 @@ Graph split_line(const Graph& graph, const LinePixel& at) {
 }
 
 double distance_between(Pixel a, Pixel b, const Spacing& spacing) {
-  return std::hypot((b.x - a.x) * spacing.x, (b.y - a.y) * spacing.y);
+  return std::hypot((static_cast<double>(b.x) - a.x) * spacing.x,
+                    (static_cast<double>(b.y) - a.y) * spacing.y);
 }
 
 BranchType type_of(const Graph& graph, const GraphEdge& edge) {
@@ -133,7 +134,7 @@ Graph subgraph(const Graph& graph, std::span<const std::uint32_t> edges) {
   return chosen(graph, nodes, edges);
 }
 
-Graph split_at(const Graph& graph, std::span<const Pixel> pixels) {
+Graph split_graph(const Graph& graph, std::span<const Pixel> pixels) {
   Graph result = graph;
   for (const Pixel pixel : pixels) {
     if (std::ranges::find(result.node_pixels, pixel) != result.node_pixels.end()) continue;
@@ -174,7 +175,7 @@ GraphPlace nearest_place(const Graph& graph, double x, double y, const Spacing& 
   return nearest;
 }
 
-std::vector<Branch> summary(const Graph& graph, const Spacing& spacing) {
+std::vector<Branch> branches(const Graph& graph, const Spacing& spacing) {
   const auto components = components_of(size_of(graph.nodes), links_of(graph, spacing));
   std::vector<Branch> branches;
   branches.reserve(graph.edges.size());

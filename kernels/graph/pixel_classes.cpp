@@ -4,6 +4,7 @@
 #include "core/checks.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
+#include "core/variant.hpp"
 #include "graph/node_pixels.hpp"
 #include "thinbench/graph.hpp"
 
@@ -15,10 +16,10 @@ using detail::kWordBits;
 using Row = detail::NeighbourRow<std::uint64_t>;
 
 /// Without memory for images without pixels, whatever their size.
-BitPlane packed(const ConstImageView& image) {
+BitPlane packed(const ConstImageView& image, Isa isa) {
   if (image.width == 0 || image.height == 0) return {};
   BitPlane plane(image.width, image.height);
-  detail::plane_conversion<std::uint64_t>(best_isa()).read(image, plane.view());
+  detail::plane_conversion<std::uint64_t>(isa).read(image, plane.view());
   return plane;
 }
 
@@ -53,13 +54,14 @@ void classify_word(const detail::ConstBitPlaneView& image, Index y, Index i, con
 
 }  // namespace
 
-void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees) {
+void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees,
+                     const Execution& execution) {
   detail::check_views(image, image, detail::InPlace::allowed);
   detail::require_label_size(image.width, image.height);
   check_destination(image, classes);
   check_destination(image, degrees);
   if (classes.data != nullptr) check_destination(classes, degrees);
-  const BitPlane plane = packed(image);
+  const BitPlane plane = packed(image, detail::checked_isa(execution));
   const detail::ConstBitPlaneView bits = plane.view();
   for (Index y = 0; y < bits.height; ++y) {
     for (Index i = 0; i * kWordBits < bits.width; ++i) {
@@ -71,10 +73,10 @@ void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees)
   }
 }
 
-FullBlocks full_blocks(ConstImageView image) {
+FullBlocks full_blocks(ConstImageView image, const Execution& execution) {
   detail::check_views(image, image, detail::InPlace::allowed);
   detail::require_label_size(image.width, image.height);
-  const BitPlane plane = packed(image);
+  const BitPlane plane = packed(image, detail::checked_isa(execution));
   const detail::ConstBitPlaneView bits = plane.view();
   FullBlocks found;
   for (Index y = 0; y < bits.height; ++y) {

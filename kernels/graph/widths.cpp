@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/checks.hpp"
+#include "core/variant.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -35,7 +36,9 @@ void detail::check_distances(const View<const double>& distances) {
                                ", below its width of " + std::to_string(width));
 }
 
-std::vector<EdgeWidths> edge_widths(const Graph& graph, View<const double> distances) {
+std::vector<EdgeWidths> edge_widths(const Graph& graph, View<const double> distances,
+                                    const Execution& execution) {
+  static_cast<void>(detail::checked_isa(execution));
   detail::check_distances(distances);
   std::vector<EdgeWidths> found;
   std::vector<double> widths;

@@ -579,7 +579,7 @@ THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points,
 
 /* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
  * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map; *count becomes
- * their number. */
+ * their number, 0 if there is no path. */
 THINBENCH_API thinbench_status thinbench_find_path(const thinbench_stack* free,
                                                    thinbench_pixel start, thinbench_pixel goal,
                                                    double width,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <string>
 #include <utility>
@@ -41,7 +42,7 @@ class Search {
           execution);
   }
 
-  FoundPath run() {
+  std::optional<FoundPath> run() {
     costs_.assign(distances_.size(), std::numeric_limits<double>::infinity());
     before_.assign(distances_.size(), 8);
     offer(index_of(request_.start), 0, 8);
@@ -51,10 +52,7 @@ class Search {
       if (at == index_of(request_.goal)) return traced();
       if (cost == costs_[at]) visit(at);
     }
-    throw std::invalid_argument("no path from " + text_of(request_.start) + " to " +
-                                text_of(request_.goal) + " is " +
-                                detail::number_text(request_.width) +
-                                (request_.width == 1 ? " pixel wide" : " pixels wide"));
+    return std::nullopt;
   }
 
  private:
@@ -147,7 +145,8 @@ class Search {
 
 }  // namespace
 
-FoundPath find_path(ConstImageView free, const PathRequest& request, const Execution& execution) {
+std::optional<FoundPath> find_path(ConstImageView free, const PathRequest& request,
+                                   const Execution& execution) {
   detail::check_views(free, free, detail::InPlace::allowed);
   require(request.width >= 0 && std::isfinite(request.width),
           "width: expected a finite number from 0 up, got " + detail::number_text(request.width));

@@ -61,6 +61,8 @@ def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: 
                        _library.execution(_arrays.integer("threads", threads)), found.ctypes.data,
                        ctypes.byref(count))
     del kept_alive
+    if count.value == 0:
+        raise ValueError(f"no path from {tuple(start)} to {tuple(goal)} is {width:g} pixels wide")
     return found[:count.value, ::-1].copy()
 
 

@@ -69,6 +69,10 @@ const std::vector<Operation>& operations() {
        false},
       {"skeleton_graph", [](Source from, Destination, How how) { (void)skeleton_graph(from, how); },
        false},
+      {"full_blocks", [](Source from, Destination, How how) { (void)full_blocks(from, how); }, false},
+      {"classify_pixels",
+       [](Source from, Destination to, How how) { classify_pixels(from, to, {}, how); }, true, false},
+      {"binarise", [](Source from, Destination to, How how) { (void)binarise(from, to, {}, how); }},
   };
   return all;
 }
@@ -266,7 +270,7 @@ TEST(Spacing, is_in_a_range) {
   for (const Spacing spacing : {Spacing{0, 1}, Spacing{1, -1}, Spacing{1, 1e31}}) {
     const std::string expected = "spacing: expected numbers from 1e-30 to 1e30, got ";
     expect_rejected([&] { (void)links_of(empty, spacing); }, expected);
-    expect_rejected([&] { (void)summary(empty, spacing); }, expected);
+    expect_rejected([&] { (void)branches(empty, spacing); }, expected);
     expect_rejected([&] { (void)open_cycles(empty, 1, spacing); }, expected);
   }
 }

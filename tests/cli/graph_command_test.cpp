@@ -85,8 +85,8 @@ TEST_F(GraphCommand, writes_geojson_in_the_coordinates_of_the_transform) {
 
 TEST_F(GraphCommand, lengths_and_widths_are_in_the_unit_of_the_spacing) {
   const Json found =
-      Json::parse(graph("--spacing 3,0.5 --unit mm --json --csv edges.csv --geojson graph.json"));
-  EXPECT_EQ(found.at("spacing"), Json::parse("[3.0, 0.5]"));
+      Json::parse(graph("--spacing 0.5,3 --unit mm --json --csv edges.csv --geojson graph.json"));
+  EXPECT_EQ(found.at("spacing"), Json::parse("[0.5, 3.0]"));
   EXPECT_EQ(found.at("edges")[2].at("length"), 2.5);
   expect_holds(bytes_of("edges.csv"), ",2.5,2.5,3.3333333333333335,3.5,1,5,mm,\n");
   const Json features = Json::parse(bytes_of("graph.json")).at("features");

@@ -101,7 +101,7 @@ TEST_F(GraphLabelsCommand, thins_labels_as_if_each_were_alone) {
 }
 
 TEST_F(GraphLabelsCommand, summary_has_the_columns_of_skan_and_the_label) {
-  graph("--summary table.csv --spacing 2,1");
+  graph("--summary table.csv --spacing 1,2");
   EXPECT_EQ(lines_of("table.csv").at(0),
             "skeleton-id,node-id-src,node-id-dst,branch-distance,branch-type,image-coord-src-0,"
             "image-coord-src-1,image-coord-dst-0,image-coord-dst-1,coord-src-0,coord-src-1,"

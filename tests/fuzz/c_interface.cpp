@@ -151,8 +151,7 @@ Thinning thinning_of(const Drawn<thinbench_thinning>& drawn) {
   if (!drawn.given) return thinning;
   if (limit > 0) thinning.max_iterations = limit;
   if (border == nullptr) return thinning;
-  const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), border);
-  thinning.border = static_cast<Border>(found - kBorderNames.begin());
+  thinning.border = border_from_name(border);
   return thinning;
 }
 

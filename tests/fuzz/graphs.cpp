@@ -83,7 +83,7 @@ void check_parts(ByteSource& input) {
   if (graph.edge_pixels.empty()) return;
   const auto last = static_cast<Index>(graph.edge_pixels.size()) - 1;
   const Pixel pixel = graph.edge_pixels[static_cast<std::size_t>(input.number(0, last))];
-  const Graph split = split_at(graph, {&pixel, 1});
+  const Graph split = split_graph(graph, {&pixel, 1});
   must(split.nodes.size() == graph.nodes.size() + 1, "no new node");
   must(split.edges.size() == graph.edges.size() + 1, "no new edge");
   must(split.node_pixels.size() + split.edge_pixels.size() ==
@@ -99,7 +99,7 @@ void check_parts(ByteSource& input) {
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t i = 0; i < graph.edges.size(); i += 2) chosen.push_back(i);
   const Graph part = subgraph(graph, chosen);
-  const std::vector<Branch> rows = summary(part);
+  const std::vector<Branch> rows = branches(part);
   must(part.edges.size() == chosen.size() && rows.size() == chosen.size(), "other edges");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     must(points_of(part, part.edges[i]) == points_of(graph, graph.edges[chosen[i]]),

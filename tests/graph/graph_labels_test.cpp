@@ -39,19 +39,19 @@ TEST(GraphOfLabels, of_an_image_without_pixels_or_labels_is_empty) {
 TEST(LabelDistances, are_those_to_the_nearest_pixel_of_another_label) {
   const LabelImage image = labels_of({"11112", "11112", "11112"});
   std::vector<double> found(15);
-  label_distances(image.view(), {found.data(), 5, 3});
+  distances_of_labels(image.view(), {found.data(), 5, 3});
   EXPECT_EQ(std::vector<double>(found.begin(), found.begin() + 5),
             (std::vector<double>{4, 3, 2, 1, 1}));
 }
 
 TEST(LabelDistances, equal_a_loop_over_the_labels) {
   std::mt19937 random(2);
-  const Spacing spacing = {.y = 0.5, .x = 2};
+  const Spacing spacing = {.x = 2, .y = 0.5};
   for (int i = 0; i < 200; ++i) {
     const LabelImage image = random_labels(random);
     const std::size_t pixels = image.labels.size();
     std::vector<double> found(pixels), of_label(pixels), expected(pixels);
-    label_distances(image.view(), {found.data(), image.width, image.height}, spacing);
+    distances_of_labels(image.view(), {found.data(), image.width, image.height}, spacing);
     for_each_label(image, [&](std::int32_t label, const ByteImage& mask) {
       distances(mask.view(), {of_label.data(), image.width, image.height}, spacing);
       for (std::size_t at = 0; at < pixels; ++at) {
@@ -71,11 +71,11 @@ TEST(GraphOfLabels, views_that_do_not_fit_are_rejected) {
             }),
             "labels has no data");
   EXPECT_EQ(rejection_of([&] {
-              label_distances(image.view(), {numbers.data(), 2, 1});
+              distances_of_labels(image.view(), {numbers.data(), 2, 1});
             }),
             "labels is 2 x 2 and distances 2 x 1; they must have the same size");
   EXPECT_EQ(rejection_of([&] {
-              label_distances({inside, 2, 2}, {numbers.data(), 2, 2});
+              distances_of_labels({inside, 2, 2}, {numbers.data(), 2, 2});
             }),
             "labels and distances overlap");
 }

@@ -1,6 +1,7 @@
 #include "thinbench/graph_parts.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -54,7 +55,7 @@ TEST(Subgraph, other_numbers_are_rejected) {
 
 TEST(SplitAt, makes_two_edges_of_one_that_end_in_the_pixel) {
   const std::vector<Pixel> pixels = {{2, 1}};
-  const Graph split = split_at(graph_of({"#....",  //
+  const Graph split = split_graph(graph_of({"#....",  //
                                          ".###.",  //
                                          "....#"}),
                                pixels);
@@ -69,9 +70,9 @@ TEST(SplitAt, makes_two_edges_of_one_that_end_in_the_pixel) {
 
 TEST(SplitAt, pixels_of_nodes_change_nothing_and_others_are_rejected) {
   const Graph graph = graph_of(kDrawn);
-  EXPECT_EQ(split_at(graph, std::vector<Pixel>{{2, 0}, {0, 2}}), graph);
+  EXPECT_EQ(split_graph(graph, std::vector<Pixel>{{2, 0}, {0, 2}}), graph);
   EXPECT_EQ(rejection_of([&] {
-              static_cast<void>(split_at(graph, std::vector<Pixel>{{0, 0}}));
+              static_cast<void>(split_graph(graph, std::vector<Pixel>{{0, 0}}));
             }),
             "nodes: expected pixels of the skeleton, got row 0, column 0");
 }
@@ -83,7 +84,7 @@ TEST(SplitAt, keeps_every_pixel_and_the_length) {
     std::vector<Pixel> pixels;
     for (int n = 0; n < 4; ++n)
       pixels.push_back(graph.edge_pixels[random() % graph.edge_pixels.size()]);
-    const Graph split = split_at(graph, pixels);
+    const Graph split = split_graph(graph, pixels);
     EXPECT_EQ(split.node_pixels.size() + split.edge_pixels.size(),
               graph.node_pixels.size() + graph.edge_pixels.size());
     EXPECT_EQ(split.edges.size() - graph.edges.size(), split.nodes.size() - graph.nodes.size());
@@ -108,8 +109,8 @@ TEST(OpenCycles, removes_the_closing_edges_of_short_cycles_alone) {
 
 TEST(OpenCycles, the_length_is_in_the_unit_of_the_spacing) {
   const Graph graph = graph_of(kDrawn);
-  EXPECT_EQ(open_cycles(graph, 50, {.y = 10, .x = 10}).edges.size(), graph.edges.size());
-  EXPECT_EQ(open_cycles(graph, 100, {.y = 10, .x = 10}).edges.size(), graph.edges.size() - 1);
+  EXPECT_EQ(open_cycles(graph, 50, {.x = 10, .y = 10}).edges.size(), graph.edges.size());
+  EXPECT_EQ(open_cycles(graph, 100, {.x = 10, .y = 10}).edges.size(), graph.edges.size() - 1);
 }
 
 TEST(OpenCycles, no_number_and_negative_lengths_are_rejected) {
@@ -122,11 +123,11 @@ TEST(NearestPlace, is_the_first_of_the_nearest_pixels) {
   const Graph graph = graph_of({"#####"});
   EXPECT_EQ(nearest_place(graph, 1.9, 3), (GraphPlace{0, {2, 0}, std::hypot(0.1, 3)}));
   EXPECT_EQ(nearest_place(graph, 1.5, 0), (GraphPlace{0, {1, 0}, 0.5}));
-  EXPECT_EQ(nearest_place(graph, 9, 0, {.y = 1, .x = 2}), (GraphPlace{0, {4, 0}, 10}));
+  EXPECT_EQ(nearest_place(graph, 9, 0, {.x = 2, .y = 1}), (GraphPlace{0, {4, 0}, 10}));
 }
 
 TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
-  EXPECT_EQ(nearest_place(graph_of({".....", "#####"}), 1e290, 0, {.y = 1, .x = 1e30}),
+  EXPECT_EQ(nearest_place(graph_of({".....", "#####"}), 1e290, 0, {.x = 1e30, .y = 1}),
             (GraphPlace{0, {0, 1}, INFINITY}));
 }
 
@@ -139,8 +140,8 @@ TEST(NearestPlace, needs_an_edge_and_a_finite_point) {
             "");
 }
 
-TEST(Summary, tells_branches_by_what_they_lead_between) {
-  const std::vector<Branch> rows = summary(graph_of({"###.....",  //
+TEST(Branches, tells_branches_by_what_they_lead_between) {
+  const std::vector<Branch> rows = branches(graph_of({"###.....",  //
                                                      "........",  //
                                                      "..#..##.",  //
                                                      "..#.#..#",  //
@@ -159,17 +160,26 @@ TEST(Summary, tells_branches_by_what_they_lead_between) {
   EXPECT_TRUE(std::isnan(cycle.tortuosity));
 }
 
-TEST(Summary, chords_and_lengths_are_in_the_unit_of_the_spacing) {
-  const std::vector<Branch> rows = summary(graph_of({"##.",  //
+TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {
+  const std::vector<Branch> rows = branches(graph_of({"##.",  //
                                                      "..#"}),
-                                           {.y = 4, .x = 3});
+                                           {.x = 3, .y = 4});
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_DOUBLE_EQ(rows[0].length, 3 + 5);
   EXPECT_DOUBLE_EQ(rows[0].chord, std::hypot(6, 4));
 }
 
-TEST(Summary, numbers_components_by_their_first_nodes) {
-  const std::vector<Branch> rows = summary(graph_of({"##.##"}));
+TEST(Branches, chords_of_pixels_that_are_far_apart_do_not_overflow) {
+  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+  const Graph graph = {{{NodeKind::end, 0, 1}, {NodeKind::end, 1, 1}},
+                       {{0, 1, {-far, 0}, {far, 0}, 0, 0, {}}},
+                       {{-far, 0}, {far, 0}},
+                       {}};
+  EXPECT_DOUBLE_EQ(branches(graph).at(0).chord, 2.0 * far);
+}
+
+TEST(Branches, numbers_components_by_their_first_nodes) {
+  const std::vector<Branch> rows = branches(graph_of({"##.##"}));
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].component, 0U);
   EXPECT_EQ(rows[1].component, 1U);

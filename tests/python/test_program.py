@@ -110,7 +110,7 @@ PLACES = {"holes": [], "localise": [], "graph": [], "path": ["--start", "0,0", "
 def test_geojson_is_what_the_program_writes(tmp_path):
     labels = np.pad(np.repeat([[3, 0, 200, 200]], 9, axis=0).repeat(5, axis=1), 2).astype(np.uint8)
     cv2.imwrite(str(tmp_path / "a.png"), labels)
-    assert run("graph", tmp_path / "a.png", "--labels", "--spacing", "2,3", "--geojson", tmp_path / "a.json").returncode == 0
+    assert run("graph", tmp_path / "a.png", "--labels", "--spacing", "3,2", "--geojson", tmp_path / "a.json").returncode == 0
     graph = thinbench.graph_labels(thinbench.thin_labels(labels), labels, spacing=(2, 3))
     assert graph.to_geojson() == json.loads((tmp_path / "a.json").read_text())
 

@@ -189,9 +189,8 @@ constexpr int kMaxLevel = 255;
 
 CLI::Option* add_foreground(CLI::App& app, Foreground& foreground) {
   const std::vector<std::string_view> names(kForegroundNames.begin(), kForegroundNames.end());
-  const auto set = [&foreground, names](const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    foreground = static_cast<Foreground>(found - names.begin());
+  const auto set = [&foreground](const std::string& name) {
+    foreground = foreground_from_name(name).value();
   };
   return app
       .add_option_function<std::string>("--foreground", set,
@@ -249,9 +248,8 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
 
 CLI::Option* add_channel(CLI::App& app, Channel& channel) {
   const std::vector<std::string_view> names(kChannelNames.begin(), kChannelNames.end());
-  const auto set = [&channel, names](const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    channel = static_cast<Channel>(found - names.begin());
+  const auto set = [&channel](const std::string& name) {
+    channel = channel_from_name(name).value();
   };
   return app
       .add_option_function<std::string>("--channel", set,
@@ -331,8 +329,8 @@ void add_spacing_option(CLI::App& app, Spacing& spacing) {
   };
   app.add_option_function<std::string>(
          "--spacing", set,
-         "How far rows, and columns, are apart: lengths, widths and distances are in this unit")
-      ->type_name("DY[,DX]");
+         "How far columns, and rows, are apart: lengths, widths and distances are in this unit")
+      ->type_name("DX[,DY]");
 }
 
 void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image) {

@@ -34,8 +34,8 @@ std::string_view kind_of(const GraphNode& node) {
 }
 
 double chord_of(const GraphEdge& edge, const Spacing& spacing) {
-  return std::hypot((edge.stop.x - edge.start.x) * spacing.x,
-                    (edge.stop.y - edge.start.y) * spacing.y);
+  return std::hypot((static_cast<double>(edge.stop.x) - edge.start.x) * spacing.x,
+                    (static_cast<double>(edge.stop.y) - edge.start.y) * spacing.y);
 }
 
 /// How many ends of edges each node has.
@@ -106,7 +106,7 @@ Json feature(const char* type, Json coordinates, Json properties) {
 }
 
 Json spacing_json(const FoundGraph& found) {
-  return {found.spacing.y, found.spacing.x};
+  return {found.spacing.x, found.spacing.y};
 }
 
 /// Numbers as ids.
@@ -185,9 +185,9 @@ std::string graph_summary(const FoundGraph& found) {
       "image-coord-src-1,image-coord-dst-0,image-coord-dst-1,coord-src-0,coord-src-1,coord-dst-0,"
       "coord-dst-1,euclidean-distance,tortuosity,width-mean,width-median,width-min,width-max";
   text += found.labels.empty() ? "\n" : ",label\n";
-  const auto [dy, dx] = found.spacing;
+  const auto [dx, dy] = found.spacing;
   std::size_t i = 0;
-  for (const Branch& row : summary(found.graph, found.spacing)) {
+  for (const Branch& row : branches(found.graph, found.spacing)) {
     const auto& [start, stop] = std::pair(row.start, row.stop);
     const EdgeWidths& width = found.widths[i++];
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.component,

@@ -39,7 +39,7 @@ void check_nodes(const View<T>& skeleton, const ImagePage& page, const GraphRequ
 FoundGraph described(Graph graph, const View<double>& distances, const ImagePage& page,
                      const GraphRequest& request) {
   const Spacing& spacing = request.pruning.spacing;
-  if (!request.nodes.empty()) graph = split_at(graph, request.nodes);
+  if (!request.nodes.empty()) graph = split_graph(graph, request.nodes);
   if (request.open_cycles) graph = open_cycles(graph, *request.open_cycles, spacing);
   FoundGraph found = {page, distances.width, distances.height, {}, {},
                       {},   spacing,         request.unit,     {}, {}};
@@ -98,7 +98,7 @@ std::string graph_words(const GraphRequest& request) {
   if (request.thinning != usual.thinning) words += " --thinning " + request.thinning;
   const Pruning& pruning = request.pruning;
   const Spacing& spacing = pruning.spacing;
-  if (spacing != Spacing{}) words += fmt::format(" --spacing {},{}", spacing.y, spacing.x);
+  if (spacing != Spacing{}) words += fmt::format(" --spacing {},{}", spacing.x, spacing.y);
   if (!request.unit.empty()) words += " --unit " + request.unit;
   if (pruning.min_length > 0) words += fmt::format(" --prune {}", pruning.min_length);
   if (pruning.min_widths > 0) words += fmt::format(" --prune-widths {}", pruning.min_widths);
@@ -169,7 +169,7 @@ FoundGraph find_graphs(const LabelPixels& objects, LabelPixels& skeletons, const
   Pruning pruning = request.pruning;
   std::vector<double> numbers(objects.labels.size());
   const View<double> of_objects(numbers.data(), objects.width, objects.height);
-  label_distances(objects.view(), of_objects, pruning.spacing, execution);
+  distances_of_labels(objects.view(), of_objects, pruning.spacing, execution);
   pruning.distances = of_objects;
   LabelGraph pruned = prune_labels(skeletons.view(), skeletons.view(), pruning, execution);
   check_nodes(skeletons.view(), page, request);

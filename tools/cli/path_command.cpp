@@ -55,6 +55,19 @@ Overlay path_overlay(const std::vector<Pixel>& pixels, double width) {
   return overlay;
 }
 
+FoundPath path_through(const BinaryImage& map, const PathRequest& request,
+                       const PathOptions& options) {
+  std::string reason = fmt::format("no path from {},{} to {},{} is {} wide", request.start.x,
+                                   request.start.y, request.goal.x, request.goal.y,
+                                   options.width == 1 ? "1 pixel" : fmt::format("{:g} pixels", options.width));
+  try {
+    if (auto path = find_path(map.image.view(), request, options.execution)) return *path;
+  } catch (const std::invalid_argument& error) {
+    reason = error.what();
+  }
+  throw FileError(options.in + ": " + reason + "; free space is " + class_text(map));
+}
+
 int run(const PathOptions& options, const Console& console) {
   const PathRequest request = {pixel_from("--start", options.start),
                                pixel_from("--goal", options.goal), options.width};
@@ -65,12 +78,7 @@ int run(const PathOptions& options, const Console& console) {
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);
   print_remarks(options.in, map, options.binarise, remarks);
-  FoundPath path;
-  try {
-    path = find_path(map.image.view(), request, options.execution);
-  } catch (const std::invalid_argument& error) {
-    throw FileError(options.in + ": " + error.what() + "; free space is " + class_text(map));
-  }
+  const FoundPath path = path_through(map, request, options);
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), path_overlay(path.pixels, options.width));
   }

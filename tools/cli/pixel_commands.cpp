@@ -195,7 +195,7 @@ Command add_distance_command(CLI::App& program) {
                 "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output",
                 false, false, true, R"(Examples:
   thinbench distance parts.png distance.png
-  thinbench distance slice.png distance.tif --spacing 2,0.5
+  thinbench distance slice.png distance.tif --spacing 0.5,2
   thinbench distance map.tif distance.tif --foreground bright
 
 OUT holds the Euclidean distance to the nearest pixel of the background, rounded to a whole number of

@@ -147,10 +147,7 @@ std::string read_name(const JsonField& field) {
 }
 
 Border read_border(const JsonField& field) {
-  const std::string name = field.text();
-  for (std::size_t i = 0; i < kBorderNames.size(); ++i) {
-    if (name == kBorderNames[i]) return static_cast<Border>(i);
-  }
+  if (const auto border = border_from_name(field.text())) return *border;
   field.fail("must be \"background\", \"keep\" or \"foreground\"");
 }
 

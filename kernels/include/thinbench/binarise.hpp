@@ -9,6 +9,7 @@
 #include "thinbench/enumeration.hpp"
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 
@@ -19,6 +20,10 @@ inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "br
 
 [[nodiscard]] constexpr std::string_view foreground_name(Foreground foreground) {
   return detail::entry_of(kForegroundNames, foreground, "foreground");
+}
+
+[[nodiscard]] constexpr std::optional<Foreground> foreground_from_name(std::string_view name) {
+  return detail::value_named<Foreground>(kForegroundNames, name);
 }
 
 /// A threshold for each pixel from the mean of the window around it, of which only the part in the
@@ -63,7 +68,8 @@ struct Binarised {
 /// Sources: N. Otsu 1979, "A threshold selection method from gray-level histograms"; D. Bradley and
 /// G. Roth 2007, "Adaptive thresholding using the integral image", for the local mean.
 THINBENCH_API Binarised binarise(ConstImageView grey, ImageView destination,
-                                 const Binarisation& request = {});
+                                 const Binarisation& request = {},
+                                 const Execution& execution = {});
 
 /// What of a colour becomes its grey level: 0.299 red + 0.587 green + 0.114 blue, one of the three,
 /// 255 (max - min) / max or max of the three; automatic: that of these whose two classes by Otsu's
@@ -78,6 +84,10 @@ inline constexpr std::array<std::string_view, 7> kChannelNames = {
   return detail::entry_of(kChannelNames, channel, "channel");
 }
 
+[[nodiscard]] constexpr std::optional<Channel> channel_from_name(std::string_view name) {
+  return detail::value_named<Channel>(kChannelNames, name);
+}
+
 /// Pixels of 3 or 4 bytes: red, green, blue and what is ignored. The stride is in bytes.
 struct ConstColourView {
   const std::uint8_t* data = nullptr;
@@ -90,7 +100,7 @@ struct ConstColourView {
 /// Writes a channel of a colour image and returns which. An image whose colours are all grey gives
 /// these grey levels, whatever the channel; that counts as Channel::grey. Views must have the same
 /// size and share no byte; at most 2^40 pixels; otherwise as binarise().
-THINBENCH_API Channel select_channel(const ConstColourView& colours, ImageView destination,
-                                     Channel channel);
+THINBENCH_API Channel select_channel(ConstColourView colours, ImageView destination,
+                                     Channel channel, const Execution& execution = {});
 
 }  // namespace thinbench

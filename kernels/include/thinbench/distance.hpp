@@ -33,10 +33,11 @@ inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>:
 THINBENCH_API void squared_distances(ConstImageView source, LabelView distances,
                                      const Execution& execution = {});
 
-/// How far the centres of neighbouring rows and of neighbouring columns are apart, in any unit.
+/// How far the centres of neighbouring columns (x) and of neighbouring rows (y) are apart, in any
+/// unit.
 struct Spacing {
-  double y = 1;
   double x = 1;
+  double y = 1;
 
   friend constexpr bool operator==(const Spacing&, const Spacing&) = default;
 };

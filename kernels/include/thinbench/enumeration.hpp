@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace thinbench::detail {
 
@@ -22,6 +24,16 @@ template <class Entries, class Value>
                                              const char* name) {
   require_enumerator(value, entries.size(), name);
   return entries[static_cast<std::size_t>(value)];
+}
+
+/// The value whose entry is this name; names are in the order of the enumeration.
+template <class Value, class Names>
+[[nodiscard]] constexpr std::optional<Value> value_named(const Names& names,
+                                                         std::string_view name) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<Value>(i);
+  }
+  return std::nullopt;
 }
 
 }  // namespace thinbench::detail

@@ -37,7 +37,7 @@ enum class NodeKind : std::int32_t {
   end,
   junction,  // one pixel or several
   cycle,     // the first pixel of a closed line without junctions
-  given,     // a pixel of a line, by split_at(): thinbench/graph_parts.hpp
+  given,     // a pixel of a line, by split_graph(): thinbench/graph_parts.hpp
 };
 
 inline constexpr std::array<std::string_view, 5> kNodeKindNames = {"isolated", "end", "junction",
@@ -52,7 +52,8 @@ enum class PixelClass : std::uint8_t { background, isolated, end, line, junction
 /// Views with data must have the size of the image and share no pixel with another. Thread-safe for
 /// different destinations. Throws std::invalid_argument for unsuitable views, a side above 2^29 or
 /// more than 2^31 pixels, and std::bad_alloc; then nothing is written.
-THINBENCH_API void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees);
+THINBENCH_API void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees,
+                                   const Execution& execution = {});
 
 /// Blocks of 2 x 2 foreground pixels, by which an image is not thin.
 struct FullBlocks {
@@ -63,7 +64,8 @@ struct FullBlocks {
 };
 
 /// Counts them; they may overlap. Thread-safe. Throws std::invalid_argument as skeleton_graph does.
-[[nodiscard]] THINBENCH_API FullBlocks full_blocks(ConstImageView image);
+[[nodiscard]] THINBENCH_API FullBlocks full_blocks(ConstImageView image,
+                                                   const Execution& execution = {});
 
 struct GraphNode {
   NodeKind kind;
@@ -181,7 +183,8 @@ struct EdgeWidths {
 /// `distances` are those of the image before it was thinned. Throws std::invalid_argument if they
 /// have no data or a stride below their width, or lack a pixel of an edge.
 [[nodiscard]] THINBENCH_API std::vector<EdgeWidths> edge_widths(const Graph& graph,
-                                                                View<const double> distances);
+                                                                View<const double> distances,
+                                                                const Execution& execution = {});
 
 /// The pixels along an edge: start, those of the line, stop.
 [[nodiscard]] THINBENCH_API std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge);

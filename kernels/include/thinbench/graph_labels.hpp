@@ -35,11 +35,11 @@ struct LabelGraph {
 /// Memory as graph_of_labels, and 8 bytes per pixel more where labels touch. Thread-safe for
 /// different destinations. Throws as distances() does; then nothing is written, except if memory
 /// runs out.
-THINBENCH_API void label_distances(ConstLabelView labels, View<double> distances,
+THINBENCH_API void distances_of_labels(ConstLabelView labels, View<double> distances,
                                    const Spacing& spacing = {}, const Execution& execution = {});
 
 /// prune() for the skeleton of each label as if it were alone in the image: pixels that are removed
-/// become 0. `pruning.distances` are label_distances() of what was thinned. Returns the graphs of
+/// become 0. `pruning.distances` are distances_of_labels() of what was thinned. Returns the graphs of
 /// the result.
 ///
 /// Views must have the same size and be the same image or share no pixel. Memory as

@@ -22,7 +22,7 @@ namespace thinbench {
 /// The graph with a node of the kind `given` at each pixel, after the other nodes. It splits its
 /// edge in two, one from each of the former nodes to the new one, in the place of the edge. Pixels
 /// of nodes change nothing; others must be pixels of lines. Each split takes the time of a copy.
-[[nodiscard]] THINBENCH_API Graph split_at(const Graph& graph, std::span<const Pixel> pixels);
+[[nodiscard]] THINBENCH_API Graph split_graph(const Graph& graph, std::span<const Pixel> pixels);
 
 /// The graph without the closing edges of its cycles() of at most max_length: without the
 /// longest edges of short cycles, of equally long ones the last. All nodes remain.
@@ -62,7 +62,7 @@ struct Branch {
 };
 
 /// A row for each edge, in the order of the edges.
-[[nodiscard]] THINBENCH_API std::vector<Branch> summary(const Graph& graph,
+[[nodiscard]] THINBENCH_API std::vector<Branch> branches(const Graph& graph,
                                                         const Spacing& spacing = {});
 
 }  // namespace thinbench

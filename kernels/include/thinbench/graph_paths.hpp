@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,10 +59,11 @@ struct GraphPath {
 [[nodiscard]] THINBENCH_API std::vector<GraphPath> cycles(std::uint32_t nodes,
                                                           std::span<const Link> links);
 
-/// The shortest path between two nodes; without nodes if there is none. Throws
-/// std::invalid_argument for other nodes.
-[[nodiscard]] THINBENCH_API GraphPath shortest_path(std::uint32_t nodes,
-                                                    std::span<const Link> links, std::uint32_t from,
-                                                    std::uint32_t to);
+/// The shortest path between two nodes, if there is one. Throws std::invalid_argument for other
+/// nodes.
+[[nodiscard]] THINBENCH_API std::optional<GraphPath> shortest_path(std::uint32_t nodes,
+                                                                   std::span<const Link> links,
+                                                                   std::uint32_t from,
+                                                                   std::uint32_t to);
 
 }  // namespace thinbench

@@ -23,7 +23,8 @@ enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl, neon_s
 [[nodiscard]] THINBENCH_API std::span<const Isa> all_isas();
 
 /// The environment variable that caps the available ISAs: with `THINBENCH_MAX_ISA=avx2` only avx2
-/// and the ISAs it contains are available. Read once, on first use.
+/// and the ISAs it contains are available. Read once, on first use; an unknown name is then reported
+/// in one line on standard error, and there is no cap.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
 /// "baseline", "sse4.2", "avx2", "avx512", "avx512icl", "neon-sha3". All functions that take an Isa
@@ -43,10 +44,9 @@ inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 [[nodiscard]] THINBENCH_API std::optional<Isa> isa_cap();
 
 /// Whether kernels are compiled for the set, the processor supports it and the cap contains it.
-/// Throws as isa_cap does.
 [[nodiscard]] THINBENCH_API bool isa_available(Isa isa);
 
-/// The last of all_isas() that is available. Throws as isa_cap does.
+/// The last of all_isas() that is available.
 [[nodiscard]] THINBENCH_API Isa best_isa();
 
 }  // namespace thinbench

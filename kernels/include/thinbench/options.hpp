@@ -27,6 +27,10 @@ inline constexpr std::array<std::string_view, 3> kBorderNames = {"background", "
   return detail::entry_of(kBorderNames, border, "border");
 }
 
+[[nodiscard]] constexpr std::optional<Border> border_from_name(std::string_view name) {
+  return detail::value_named<Border>(kBorderNames, name);
+}
+
 inline constexpr int kUnlimited = std::numeric_limits<int>::max();
 
 /// What a call may change about a rule. Unset: as the rule says, see Rule::border and

@@ -1,6 +1,7 @@
 // Paths for robots on the skeleton of the free space, far from obstacles.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "thinbench/export.h"
@@ -31,12 +32,13 @@ inline constexpr double kPathOffSkeletonCost = 4;
 /// is that of Rule::guo_hall without branches shorter than the free space is wide at their
 /// junction. All pixels of the path are at least width / 2 from obstacles, centre to centre; what
 /// is outside the image is no obstacle. There is a path wherever such pixels lead from start to
-/// goal.
+/// goal; else nothing is returned.
 ///
 /// Takes 24 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
-/// goal that is outside, on an obstacle or too near to one, where there is no path, for a width
+/// goal that is outside, on an obstacle or too near to one, for a width
 /// that is negative or no number, and as skeleton_graph and squared_distances; and std::bad_alloc.
-[[nodiscard]] THINBENCH_API FoundPath find_path(ConstImageView free, const PathRequest& request,
-                                                const Execution& execution = {});
+[[nodiscard]] THINBENCH_API std::optional<FoundPath> find_path(ConstImageView free,
+                                                               const PathRequest& request,
+                                                               const Execution& execution = {});
 
 }  // namespace thinbench
