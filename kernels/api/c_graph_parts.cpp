@@ -126,7 +126,7 @@ thinbench_status thinbench_graph_summary(const thinbench_graph* graph,
     require_pointer(graph, "graph");
     if (graph->edges.empty()) return;
     require_pointer(branches, "branches");
-    for (const Branch& row : branches(*graph, spacing_of(spacing))) {
+    for (const Branch& row : thinbench::branches(*graph, spacing_of(spacing))) {
       *branches++ = {row.component,
                      row.from,
                      row.to,

@@ -71,7 +71,7 @@ const std::vector<Operation>& operations() {
        false},
       {"full_blocks", [](Source from, Destination, How how) { (void)full_blocks(from, how); }, false},
       {"classify_pixels",
-       [](Source from, Destination to, How how) { classify_pixels(from, to, {}, how); }, true, false},
+       [](Source from, Destination to, How how) { classify_pixels(from, to, {}, how); }, false},
       {"binarise", [](Source from, Destination to, How how) { (void)binarise(from, to, {}, how); }},
   };
   return all;

@@ -36,7 +36,8 @@ TEST(FindPath, goes_along_a_corridor) {
 TEST(FindPath, of_a_wide_robot_leads_through_the_wide_door) {
   const ByteImage rooms = image_of(kRooms);
   const auto crosses_at = [&](double width) {
-    for (const Pixel p : find_path(rooms.view(), {{3, 1}, {11, 1}, width}).value().pixels) {
+    const auto path = find_path(rooms.view(), {{3, 1}, {11, 1}, width});
+    for (const Pixel p : path.value().pixels) {
       if (p.x == 7) return p.y;
     }
     return -1;
