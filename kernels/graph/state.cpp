@@ -1,5 +1,7 @@
 #include "graph/state.hpp"
 
+#include <utility>
+
 #include "core/exported.hpp"
 #include "graph/pruner.hpp"
 
@@ -25,7 +27,7 @@ void GraphState::load(const ConstImageView& source) {
   conversion_.read(source, image_.view());
 }
 
-const Graph& GraphState::compute() {
+Graph& GraphState::compute() {
   team_.for_ranges(image_.view().height, [&](Index first, Index last) {
     kernels_.split(image_.view(), nodes_.view(), lines_.view(), first, last);
   });
@@ -35,7 +37,7 @@ const Graph& GraphState::compute() {
 Graph GraphState::prune(const Pruning& pruning, const ImageView& destination) {
   const Graph& whole = compute();
   Pruner(image_.view(), nodes_.view(), walker_.node_at(), whole, pruning).run();
-  Graph pruned = compute();
+  Graph pruned = std::move(compute());
   conversion_.write(image_.view(), destination);
   return pruned;
 }

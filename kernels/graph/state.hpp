@@ -30,8 +30,8 @@ class GraphState {
   GraphState(const GraphKernels& kernels, const GraphSetting& setting);
 
   void load(const ConstImageView& source);
-  /// Valid until the next call.
-  const Graph& compute();
+  /// Valid until the next call; may be moved from.
+  Graph& compute();
   /// Writes the pruned image, after all that may need memory; returns its graph.
   Graph prune(const Pruning& pruning, const ImageView& destination);
 

@@ -163,8 +163,8 @@ GraphWalker::GraphWalker(Index width, Index height)
     : width_(width),
       node_at_(make_uninitialised<std::uint32_t>(static_cast<std::size_t>(width * height))) {}
 
-const Graph& GraphWalker::walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
-                               const BitPlaneView& lines) {
+Graph& GraphWalker::walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
+                         const BitPlaneView& lines) {
   graph_.nodes.clear();
   graph_.edges.clear();
   graph_.node_pixels.clear();

@@ -22,8 +22,9 @@ class GraphWalker {
  public:
   GraphWalker(Index width, Index height);
 
-  /// `lines` becomes empty. The planes have the size given before. Valid until the next call.
-  const Graph& walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
+  /// `lines` becomes empty. The planes have the size given before. Valid until the next call;
+  /// may be moved from.
+  Graph& walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
                     const BitPlaneView& lines);
 
   [[nodiscard]] NodeMap node_at() { return {node_at_.get(), width_}; }

@@ -1,3 +1,6 @@
+// Graphs of skeletons, and pruning.
+#include <utility>
+
 #include "core/checks.hpp"
 #include "graph/state.hpp"
 #include "graph/widths.hpp"
@@ -20,6 +23,14 @@ void check(const Pruning& pruning, const ConstImageView& skeleton) {
 }
 
 }  // namespace
+
+Graph skeleton_graph(ConstImageView skeleton, const Execution& execution) {
+  detail::check_views(skeleton, skeleton, detail::InPlace::allowed);
+  const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
+                                             skeleton.height, {}, execution);
+  state->load(skeleton);
+  return std::move(state->compute());
+}
 
 Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
             const Execution& execution) {
