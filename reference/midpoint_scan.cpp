@@ -57,10 +57,4 @@ int midpoint_scan(Directions directions, Border border, ConstImageView source,
   return 1;
 }
 
-template <>
-int thin<BuiltInRule::midpoint_scan>(const Repetition& repetition, ConstImageView source,
-                                     ImageView destination) {
-  return midpoint_scan(Directions{}, repetition.border, source, destination);
-}
-
 }  // namespace thinbench::reference

@@ -1,7 +1,6 @@
 #include "decisions.hpp"
 #include "reference.hpp"
 #include "repeat.hpp"
-#include "rules/trained_cluster.hpp"
 
 namespace thinbench::reference {
 namespace {
@@ -58,30 +57,6 @@ int net_single_layer_cluster(const ClusterWeights& cluster, const Repetition& re
                              ConstImageView source, ImageView destination) {
   return thin_by([&](const Inputs& inputs) { return cluster_keeps(cluster, inputs.n); }, repetition,
                  source, destination);
-}
-
-template <>
-int thin<BuiltInRule::net_two_layer_sigmoid>(const Repetition& repetition, ConstImageView source,
-                                             ImageView destination) {
-  return net_two_layer(kPaperTwoLayer, Activation::sigmoid, repetition, source, destination);
-}
-
-template <>
-int thin<BuiltInRule::net_two_layer_rounded>(const Repetition& repetition, ConstImageView source,
-                                             ImageView destination) {
-  return net_two_layer(kRoundedTwoLayer, Activation::sigmoid, repetition, source, destination);
-}
-
-template <>
-int thin<BuiltInRule::net_two_layer_linear>(const Repetition& repetition, ConstImageView source,
-                                            ImageView destination) {
-  return net_two_layer(kPaperTwoLayer, Activation::linear, repetition, source, destination);
-}
-
-template <>
-int thin<BuiltInRule::net_single_layer_cluster>(const Repetition& repetition, ConstImageView source,
-                                                ImageView destination) {
-  return net_single_layer_cluster(detail::kTrainedCluster, repetition, source, destination);
 }
 
 }  // namespace thinbench::reference

@@ -8,6 +8,7 @@
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/image_view.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/nets.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
@@ -40,23 +41,14 @@ struct Repetition {
 /// guo_hall (CACM 32(3), 1989): algorithm A1. Equal to OpenCV's THINNING_GUOHALL where the border
 /// is kept.
 ///
-/// spta (Naccache and Shinghal, IEEE SMC 14(3), 1984): sequential. An iteration is two scans in
-/// raster order: left and right edge points first, then top and bottom ones. A foreground pixel is
-/// flagged where it is an edge point of a side with a TRUE expression (above). Unprimed literals
-/// read "foreground and not yet flagged", the edge test and primed literals "background before the
-/// iteration". Flagged pixels become background after the iteration. Keeps topology, idempotent.
-///
-/// spta_directional: the same in four parallel sub-iterations, which remove left, right, top and
-/// bottom edge points with a TRUE expression, each from the result of the one before.
+/// spta_directional: Naccache and Shinghal's SPTA, see spta() below, in four parallel
+/// sub-iterations, which remove left, right, top and bottom edge points with a TRUE expression,
+/// each from the result of the one before.
 ///
 /// mb2 (Bernard and Manzanera 1999): fully parallel, support 5 x 5. I is a foreground pixel with
 /// four foreground 4-neighbours; a1: I on one side and background opposite; a2: I on a diagonal and
 /// the two opposite 4-neighbours background; b: a foreground diagonal between two background
 /// 4-neighbours. Removed where (a1 or a2) and not b.
-///
-/// midpoint_scan: as below, along all directions.
-///
-/// net_*: as below, with the weights of Table 1 or, for the cluster, the trained ones.
 ///
 /// Outside the image everything is background; with Border::keep the outermost pixels never change.
 /// `source`: 0 is background, anything else foreground; `destination`: 0 and 255, same size, may be
@@ -69,6 +61,13 @@ using Thinning = int (*)(const Repetition& repetition, ConstImageView source,
 
 /// The reference of a rule chosen at run time.
 [[nodiscard]] Thinning thinning(BuiltInRule rule);
+
+/// SPTA (Naccache and Shinghal, IEEE SMC 14(3), 1984): sequential. An iteration is two scans in
+/// raster order: left and right edge points first, then top and bottom ones. A foreground pixel is
+/// flagged where it is an edge point of a side with a TRUE expression (above). Unprimed literals
+/// read "foreground and not yet flagged", the edge test and primed literals "background before the
+/// iteration". Flagged pixels become background after the iteration. Keeps topology, idempotent.
+int spta(const Repetition& repetition, ConstImageView source, ImageView destination);
 
 /// A rule given as tables, one per sub-iteration: the new value of every pixel is the table's bit
 /// for the pixel's 3 x 3 window, which may add pixels. An iteration changes nothing if none of its

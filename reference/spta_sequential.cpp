@@ -35,9 +35,7 @@ bool scan(Matrices& image, const Repetition& repetition, const ConstImageView& s
 
 }  // namespace
 
-template <>
-int thin<BuiltInRule::spta>(const Repetition& repetition, ConstImageView source,
-                            ImageView destination) {
+int spta(const Repetition& repetition, ConstImageView source, ImageView destination) {
   Matrices image = {matrix_of(source), matrix_of(source)};
   int iterations = 0;
   for (bool flagged = true; flagged && iterations < repetition.max_iterations; ++iterations) {

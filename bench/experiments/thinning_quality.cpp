@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/image_names.hpp"
+#include "harness/operation.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
-#include "thinbench/thinning.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 namespace {
@@ -20,35 +21,30 @@ using Json = nlohmann::ordered_json;
 constexpr Index kBlobSide = 256;
 constexpr Index kBlobReach = 4;
 
-/// All rules but nets, of which those that matter have the paper's rule.
-std::vector<BuiltInRule> measured_rules() {
-  std::vector<BuiltInRule> rules;
-  for (const RuleInfo& info : kRules) {
-    if (!info.name.starts_with("net_")) rules.push_back(info.rule);
-  }
-  return rules;
-}
-
-std::string name_of(BuiltInRule rule) {
-  return std::string(rule_info(rule).operation);
+/// All rules that thin but nets, of which those that matter have the paper's rule, and the scan.
+std::vector<std::string_view> measured_operations() {
+  std::vector<std::string_view> names;
+  for (const RuleInfo& info : kRules) names.push_back(info.operation);
+  names.insert(names.end(), {"thin_spta", "skeleton_scan"});
+  return names;
 }
 
 /// The inputs that are always there, and names that the skeleton of another input would have.
 std::regex reserved_names() {
-  std::vector<std::string> names;
-  for (const BuiltInRule rule : measured_rules()) names.push_back(name_of(rule));
-  return std::regex(fmt::format("scene|blobs|.*_({})", fmt::join(names, "|")));
+  return std::regex(fmt::format("scene|blobs|.*_({})", fmt::join(measured_operations(), "|")));
 }
 
-struct Thinned {
-  ByteImage skeleton;
-  int iterations;
-};
+Outcome thinned(std::string_view operation, const ConstImageView& image) {
+  const auto& variants = operation_of(operation).variants;
+  const auto usable = std::find_if(variants.rbegin(), variants.rend(), [&](const Variant& one) {
+    return !one.is_peer && one.unavailable_reason(image.width).empty();
+  });
+  return outcome_of(*usable->make_job(image.width, image.height, 1), image);
+}
 
-Thinned thinned(BuiltInRule rule, const ConstImageView& image) {
-  Thinned result{ByteImage(image.width, image.height), 0};
-  result.iterations = thin(rule, image, result.skeleton.view());
-  return result;
+/// Of an outcome; the scan has one.
+std::int64_t iterations_of(const Outcome& outcome) {
+  return outcome.numbers.empty() ? 1 : outcome.numbers.front();
 }
 
 ByteImage rotated(const ConstImageView& image, int quarters) {
@@ -58,24 +54,25 @@ ByteImage rotated(const ConstImageView& image, int quarters) {
 }
 
 /// With the skeletons of the image rotated by one, two and three quarters, each rotated back.
-double min_overlap(BuiltInRule rule, const ConstImageView& image, const ConstImageView& skeleton) {
+double min_overlap(std::string_view operation, const ConstImageView& image,
+                   const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
-    const ByteImage other = thinned(rule, rotated(image, quarters).view()).skeleton;
+    const ByteImage other = thinned(operation, rotated(image, quarters).view()).image;
     least = std::min(least, overlap(skeleton, rotated(other.view(), 4 - quarters).view()));
   }
   return least;
 }
 
-Json measure(BuiltInRule rule, const QualityInput& input, const Topology& before,
+Json measure(std::string_view operation, const QualityInput& input, const Topology& before,
              const ByteImage& axis) {
   const ConstImageView image = input.image.view();
-  const Thinned result = thinned(rule, image);
-  const ConstImageView skeleton = result.skeleton.view();
+  const Outcome result = thinned(operation, image);
+  const ConstImageView skeleton = result.image.view();
   const Topology after = topology_of(skeleton);
   const SkeletonShape shape = shape_of(skeleton);
   const AxisDistance from_axis = distance_from(axis.view(), skeleton);
-  return {{"operation", name_of(rule)},
+  return {{"operation", operation},
           {"border", border_name(Border::background)},
           {"max_iterations", nullptr},
           {"input", input.name},
@@ -89,8 +86,8 @@ Json measure(BuiltInRule rule, const QualityInput& input, const Topology& before
           {"branches", shape.branches},
           {"mean_distance", from_axis.mean},
           {"largest_distance", from_axis.largest},
-          {"min_symmetry", min_overlap(rule, image, skeleton)},
-          {"iterations", result.iterations}};
+          {"min_symmetry", min_overlap(operation, image, skeleton)},
+          {"iterations", iterations_of(result)}};
 }
 
 int foreground_round(const ByteImage& noise, Index x, Index y) {
@@ -136,9 +133,9 @@ void write_skeletons(const std::string& directory, const std::vector<QualityInpu
   for (const QualityInput& input : inputs) {
     const std::string stem = directory + "/quality_" + input.name;
     write_grey(stem + ".png", input.image.view());
-    for (const BuiltInRule rule : measured_rules()) {
-      write_grey(stem + "_" + name_of(rule) + ".png",
-                 thinned(rule, input.image.view()).skeleton.view());
+    for (const std::string_view operation : measured_operations()) {
+      write_grey(fmt::format("{}_{}.png", stem, operation),
+                 thinned(operation, input.image.view()).image.view());
     }
   }
 }
@@ -149,8 +146,9 @@ ExperimentReport thinning_quality(const std::vector<QualityInput>& inputs,
   for (const QualityInput& input : inputs) {
     const Topology before = topology_of(input.image.view());
     const ByteImage axis = medial_axis_of(input.image.view());
-    for (const BuiltInRule rule : measured_rules())
-      rows.push_back(measure(rule, input, before, axis));
+    for (const std::string_view operation : measured_operations()) {
+      rows.push_back(measure(operation, input, before, axis));
+    }
   }
   return report_of(
       "quality",

@@ -24,8 +24,6 @@ std::vector<CollectionCase> cases() {
   return {{"guo_hall", Rule::guo_hall},
           {"guo_hall:keep", Rule::guo_hall, {.border = Border::keep}},
           {"mb2", Rule::mb2},
-          {"midpoint_scan", Rule::midpoint_scan},
-          {"net_two_layer_rounded", Rule::net_two_layer_rounded},
           {"golay_l", Rule::named("golay_l")},
           {"guo_hall:foreground", Rule::guo_hall, {.border = Border::foreground}},
           {"erode", Rule::named("erode")},
@@ -42,10 +40,11 @@ ThinImage reference_of(const CollectionCase& one) {
   const reference::Repetition repetition = {
       one.thinning.border.value_or(one.rule.border()),
       one.thinning.max_iterations.value_or(one.rule.max_iterations())};
-  const auto built_in = rule_from_name(one.rule.name());
-  if (built_in && repetition.border != Border::foreground) {
-    return [repetition, function = reference::thinning(*built_in)](
-               const auto& from, const auto& to) { return function(repetition, from, to); };
+  const auto function = reference_named(one.rule.name());
+  if (function != nullptr && repetition.border != Border::foreground) {
+    return [repetition, function](const auto& from, const auto& to) {
+      return function(repetition, from, to);
+    };
   }
   return [repetition, rule = one.rule](const auto& from, const auto& to) {
     return reference::apply_tables(rule.sub_iterations(), repetition, from, to);

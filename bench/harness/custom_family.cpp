@@ -71,7 +71,7 @@ Operation operation_of_case(std::size_t index) {
   Operation operation = {std::string(custom.name), custom.description, InputKind::binary, {}, {}};
   const bool adds_pixels = custom.max_iterations != kUnlimited;
   const auto variants =
-      detail::study::thinning_variants(Rule(custom.tables(), {.max_iterations = 1}));
+      detail::study::all_variants(*detail::body_of(Rule(custom.tables(), {.max_iterations = 1})));
   for (const detail::ThinningVariant& variant : variants) {
     operation.variants.push_back(
         library_variant(variant, true, [index, variant](Index width, Index height, int threads) {

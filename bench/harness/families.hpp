@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "harness/operation.hpp"
+#include "reference.hpp"
 #include "techniques/variants.hpp"
 #include "thinbench/regions.hpp"
 
@@ -14,6 +16,9 @@ namespace thinbench {
 /// A variant of the library.
 [[nodiscard]] Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
                                       JobMaker make_job);
+
+/// The reference of a rule of the product or of the study; nullptr for other names.
+[[nodiscard]] reference::Thinning reference_named(std::string_view rule);
 
 /// Every rule with all borders that it can have, and the nets limited to one iteration.
 [[nodiscard]] std::vector<Operation> thinning_family();
@@ -24,8 +29,7 @@ struct ThinningCase {
   int max_iterations = kUnlimited;
 };
 
-/// One operation; it must outlive the result. A net with other weights than the rule's own has no
-/// reference.
+/// One operation; it must outlive the result.
 [[nodiscard]] Operation thinning_operation(const detail::ThinningOperation& operation,
                                            const ThinningCase& options = {});
 
@@ -34,6 +38,9 @@ struct ThinningCase {
 /// A job of a function that returns its number of iterations.
 [[nodiscard]] std::unique_ptr<Job> counting_job(
     std::function<int(const ConstImageView& input, const ImageView& output)> function);
+
+/// In all directions, with both borders.
+[[nodiscard]] std::vector<Operation> midpoint_family();
 
 /// Custom rules, optimised: built-in ones given as tables, Life and a random table. Not timed
 /// unless a filter names them.

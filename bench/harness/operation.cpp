@@ -49,9 +49,10 @@ Outcome outcome_by(const JobMaker& make_job, const ConstImageView& input) {
 const std::vector<Operation>& all_operations() {
   static const std::vector<Operation> operations = [] {
     std::vector<Operation> all;
-    for (const auto& family : {thinning_family(), edges_family(), regions_family(), labels_family(),
-                               localise_family(), distance_family(), graph_family(), batch_family(),
-                               custom_family(), collections_family()}) {
+    for (const auto& family :
+         {thinning_family(), midpoint_family(), edges_family(), regions_family(), labels_family(),
+          localise_family(), distance_family(), graph_family(), batch_family(), custom_family(),
+          collections_family()}) {
       all.insert(all.end(), family.begin(), family.end());
     }
     return all;

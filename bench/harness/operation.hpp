@@ -53,7 +53,7 @@ struct Operation {
   JobMaker reference;
   /// What the first of its numbers counts, where that is worth a column: "iterations".
   std::string_view counter = {};
-  /// A net: its images are those of the rule that it learned.
+  /// A net whose images are those of the rule that it learned.
   bool is_net = false;
   /// Too slow for the big sets of test images; another operation covers the same code.
   bool small_sets_only = false;

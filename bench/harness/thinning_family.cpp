@@ -2,6 +2,7 @@
 
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "rules/trained_cluster.hpp"
 
 namespace thinbench {
 namespace {
@@ -57,6 +58,15 @@ std::string case_name(std::string_view operation, const ThinningCase& options) {
   return name;
 }
 
+bool is_net_rule(const Rule& rule) {
+  return rule.name().starts_with("net_");
+}
+
+/// Of nets: whether they decide as the rule that they learned.
+bool is_exact(const Rule& net) {
+  return net.sub_iterations().front() == Rule(Rule::naccache_shinghal).sub_iterations().front();
+}
+
 /// OpenCV keeps the border, by these two rules.
 bool has_peer_with_border(const Rule& rule) {
   return rule.name() == "zhang_suen" || rule.name() == "guo_hall";
@@ -88,6 +98,40 @@ std::unique_ptr<Job> counting_job(
 
 namespace {
 
+using reference::Repetition;
+
+int thin_by_sigmoid(const Repetition& repetition, ConstImageView from, ImageView to) {
+  return reference::net_two_layer(kPaperTwoLayer, Activation::sigmoid, repetition, from, to);
+}
+int thin_by_rounded(const Repetition& repetition, ConstImageView from, ImageView to) {
+  return reference::net_two_layer(detail::kRoundedTwoLayer, Activation::sigmoid, repetition, from,
+                                  to);
+}
+int thin_by_linear(const Repetition& repetition, ConstImageView from, ImageView to) {
+  return reference::net_two_layer(kPaperTwoLayer, Activation::linear, repetition, from, to);
+}
+int thin_by_cluster(const Repetition& repetition, ConstImageView from, ImageView to) {
+  return reference::net_single_layer_cluster(detail::kTrainedCluster, repetition, from, to);
+}
+
+/// In the order of detail::study::kStudyRules.
+constexpr reference::Thinning kStudyReferences[] = {
+    &reference::spta, &thin_by_sigmoid, &thin_by_rounded, &thin_by_linear, &thin_by_cluster};
+
+}  // namespace
+
+reference::Thinning reference_named(std::string_view rule) {
+  if (const auto built_in = rule_from_name(rule)) return reference::thinning(*built_in);
+  for (const auto& info : detail::study::kStudyRules) {
+    if (info.name == rule || info.operation == rule) {
+      return kStudyReferences[static_cast<std::size_t>(info.rule)];
+    }
+  }
+  return nullptr;
+}
+
+namespace {
+
 /// The variants of a case; those of the complement where everything outside is foreground.
 std::vector<ThinningVariant> variants_of(const detail::ThinningOperation& operation,
                                          const detail::ThinningParameters& parameters) {
@@ -98,11 +142,11 @@ std::vector<ThinningVariant> variants_of(const detail::ThinningOperation& operat
 JobMaker reference_of(const Rule& rule, const ThinningCase& options) {
   const reference::Repetition repetition = {options.border, options.max_iterations};
   if (options.border != Border::foreground) {
-    return [repetition, name = rule_from_name(rule.name())](Index, Index, int) {
-      return counting_job([repetition, function = reference::thinning(name.value())](
-                              const ConstImageView& input, const ImageView& output) {
-        return function(repetition, input, output);
-      });
+    return [repetition, function = reference_named(rule.name())](Index, Index, int) {
+      return counting_job(
+          [repetition, function](const ConstImageView& input, const ImageView& output) {
+            return function(repetition, input, output);
+          });
     };
   }
   return [repetition, rule](Index, Index, int) {
@@ -117,7 +161,7 @@ JobMaker reference_of(const Rule& rule, const ThinningCase& options) {
 Operation thinning_operation(const detail::ThinningOperation& operation,
                              const ThinningCase& options) {
   const Rule& rule = operation.key;
-  const bool is_net = !std::holds_alternative<std::monostate>(rule.body()->net);
+  const bool is_net = is_net_rule(rule);
   const detail::ThinningParameters parameters =
       detail::thinning_parameters(rule, {options.border, options.max_iterations});
   Operation result = {
@@ -130,7 +174,7 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
   }
   result.reference = reference_of(rule, options);
   result.counter = "iterations";
-  result.is_net = is_net;
+  result.is_net = is_net && is_exact(rule);
   result.operation = operation.name;
   result.border = options.border;
   if (options.max_iterations != kUnlimited) result.max_iterations = options.max_iterations;
@@ -144,13 +188,12 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
 std::vector<Operation> thinning_family() {
   std::vector<Operation> family;
   for (const detail::ThinningOperation& operation : detail::study::thinning_operations()) {
-    const bool is_net = !std::holds_alternative<std::monostate>(operation.key.body()->net);
     for (const Border border : {Border::background, Border::keep}) {
       family.push_back(thinning_operation(operation, {border}));
-      const bool has_single = is_net && operation.key.name() != "net_two_layer_rounded";
+      const bool has_single = is_net_rule(operation.key) && is_exact(operation.key);
       if (has_single) family.push_back(thinning_operation(operation, {border, 1}));
     }
-    if (operation.key.body()->complement == nullptr) continue;
+    if (detail::body_of(operation.key)->complement == nullptr) continue;
     family.push_back(thinning_operation(operation, {Border::foreground}));
   }
   return family;

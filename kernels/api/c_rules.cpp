@@ -151,8 +151,8 @@ thinbench_status thinbench_rule_from_two_layer_net(const float* weights, const c
                                                    thinbench_rule** rule) {
   return give_rule(rule, [&] {
     require_pointer(weights, "weights");
-    return Rule(two_layer_weights(weights),
-                kActivations[index_of("activation", activation, kActivations)].value);
+    return Rule::from_net(two_layer_weights(weights),
+                          kActivations[index_of("activation", activation, kActivations)].value);
   });
 }
 
@@ -161,7 +161,7 @@ thinbench_status thinbench_rule_from_cluster(const int32_t* last, const float* w
   return give_rule(rule, [&] {
     require_pointer(last, "last");
     require_pointer(weights, "weights");
-    return Rule(cluster_weights(last, weights, count));
+    return Rule::from_net(cluster_weights(last, weights, count));
   });
 }
 

@@ -9,13 +9,11 @@
 #include "rules/nets.hpp"
 #include "rules/notation_reader.hpp"
 #include "rules/rule_table.hpp"
-#include "rules/trained_cluster.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {
 
 using detail::RuleBody;
-using detail::RuleKind;
 using detail::SharedRule;
 
 namespace {
@@ -53,46 +51,16 @@ std::vector<WindowTable> tables_of() {
   return tables;
 }
 
-/// A net runs by its table; the one that the paper trained its nets on has circuits.
-void set_net(RuleBody& body, const WindowTable& table, const detail::NetWeights& weights) {
-  static const auto& kPaperRule = *new auto(tables_of<detail::NaccacheShinghal>());
-  body.reach = 1;
-  body.net = weights;
-  if (table == kPaperRule.front()) body.circuits = BuiltInRule::naccache_shinghal;
-  set_tables(body, std::span(&table, 1), false);
-}
-
-void set_net(RuleBody& body, const TwoLayerWeights& weights, Activation activation) {
-  set_net(body, detail::table_of(weights, activation), detail::TwoLayerNet{weights, activation});
-}
-
-void set_net(RuleBody& body, const ClusterWeights& weights) {
-  set_net(body, detail::table_of(weights), weights);
-}
-
-/// The default weights of the rules that are nets.
-void set_default_net(RuleBody& body, BuiltInRule rule) {
-  using enum BuiltInRule;
-  if (rule == net_two_layer_sigmoid) set_net(body, kPaperTwoLayer, Activation::sigmoid);
-  if (rule == net_two_layer_rounded) set_net(body, kRoundedTwoLayer, Activation::sigmoid);
-  if (rule == net_two_layer_linear) set_net(body, kPaperTwoLayer, Activation::linear);
-  if (rule == net_single_layer_cluster) set_net(body, detail::kTrainedCluster);
-}
-
 SharedRule make_built_in(const RuleInfo& info) {
   auto body = std::make_shared<RuleBody>();
   body->name = info.name;
   body->operation = info.operation;
-  body->reach = info.reach;
-  if (info.rule == BuiltInRule::spta) body->kind = RuleKind::spta;
-  if (info.rule == BuiltInRule::midpoint_scan) body->kind = RuleKind::midpoints;
   detail::for_each_parallel_rule([&]<class Type>(BuiltInRule rule) {
     if (rule != info.rule) return;
     body->circuits = rule;
     const auto tables = tables_of<Type>();
     if (!tables.empty()) set_tables(*body, tables, false);
   });
-  set_default_net(*body, info.rule);
   return body;
 }
 
@@ -122,27 +90,20 @@ SharedRule make_from_tables(std::span<const WindowTable> tables, const RuleOptio
   auto body = std::make_shared<RuleBody>();
   body->name = options.name;
   body->operation = options.name;
-  body->reach = static_cast<int>(tables.size());
   body->border = options.border;
   body->max_iterations = options.max_iterations;
   set_tables(*body, tables, options.optimise);
   return body;
 }
 
-template <class... Weights>
-SharedRule make_net(const Weights&... weights) {
-  auto body = std::make_shared<RuleBody>();
-  body->name = "net";
-  body->operation = body->name;
-  set_net(*body, weights...);
-  return body;
-}
-
-SharedRule make_midpoint_scan(Directions directions) {
-  detail::require(directions.bits >> kDirectionCount == 0,
-                  "directions: expected bits in [0, 15], got " + std::to_string(directions.bits));
-  auto body = std::make_shared<RuleBody>(*built_in_body(BuiltInRule::midpoint_scan));
-  body->directions = directions;
+/// A net that decides as the rule on which the paper trained its nets has that rule's circuits.
+SharedRule make_net(const WindowTable& table, std::string_view name) {
+  const SharedRule& learned = built_in_body(BuiltInRule::naccache_shinghal);
+  if (table != learned->compiled->tables().front()) {
+    return make_from_tables(std::span(&table, 1), {.name = std::string(name)});
+  }
+  auto body = std::make_shared<RuleBody>(*learned);
+  body->name = body->operation = name;
   return body;
 }
 
@@ -153,17 +114,19 @@ Rule::Rule(BuiltInRule rule) : body_(built_in_body(rule)) {}
 Rule::Rule(std::span<const WindowTable> sub_iterations, const RuleOptions& options)
     : body_(make_from_tables(sub_iterations, options)) {}
 
-Rule::Rule(const TwoLayerWeights& weights, Activation activation)
-    : body_(make_net(weights, activation)) {}
+Rule Rule::from_net(const TwoLayerWeights& weights, Activation activation) {
+  return Rule(make_net(detail::table_of(weights, activation), "net"));
+}
 
-Rule::Rule(const ClusterWeights& weights) : body_(make_net(weights)) {}
-
-Rule::Rule(Directions directions) : body_(make_midpoint_scan(directions)) {}
+Rule Rule::from_net(const ClusterWeights& weights) {
+  return Rule(make_net(detail::table_of(weights), "net"));
+}
 
 Rule Rule::named(std::string_view name) {
   if (const auto rule = rule_from_name(name)) return *rule;
   const NamedRule* const found = find_named_rule(name);
   detail::require(found != nullptr, "rule: expected a name, got " + detail::quoted(name));
+  if (name.starts_with("net_")) return Rule(make_net(found->sub_iterations.front(), found->name));
   return Rule(found->sub_iterations, {.border = found->border,
                                       .max_iterations = found->max_iterations,
                                       .name = std::string(found->name)});
@@ -182,7 +145,8 @@ int Rule::max_iterations() const {
 }
 
 int Rule::reach() const {
-  return body_->reach;
+  constexpr int reach_of_5x5 = 2;
+  return body_->compiled ? static_cast<int>(sub_iterations().size()) : reach_of_5x5;
 }
 
 std::span<const WindowTable> Rule::sub_iterations() const {

@@ -2,34 +2,24 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
-#include <variant>
-#include <vector>
+#include <utility>
 
 #include "compile/compiled_rule.hpp"
 #include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
 
-enum class RuleKind : std::uint8_t {
-  parallel,   // sub-iterations compute all pixels from the same image
-  spta,       // sequential
-  midpoints,  // does not iterate
-};
-
-struct TwoLayerNet {
-  TwoLayerWeights weights;
-  Activation activation;
-};
-using NetWeights = std::variant<std::monostate, TwoLayerNet, ClusterWeights>;
-
-/// Immutable.
+/// Immutable. The study derives rules with more data.
 struct RuleBody {
+  RuleBody() = default;
+  RuleBody(const RuleBody&) = default;
+  RuleBody& operator=(const RuleBody&) = default;
+  virtual ~RuleBody() = default;
+
   std::string name;
   std::string operation;  // for messages: of a built-in rule, else the name
-  RuleKind kind = RuleKind::parallel;
-  int reach = 0;
   Border border = Border::background;
   int max_iterations = kUnlimited;
   /// The built-in rule whose circuits compute this rule; none: tables, compiled at run time.
@@ -38,8 +28,6 @@ struct RuleBody {
   std::shared_ptr<const CompiledRule> compiled = nullptr;
   /// The same rule with foreground and background exchanged: for Border::foreground.
   std::shared_ptr<const RuleBody> complement = nullptr;
-  Directions directions = {};  // of the midpoint scan
-  NetWeights net = {};         // what the table of a net was made of
 
   [[nodiscard]] bool adds_pixels() const { return compiled && compiled->adds_pixels(); }
   [[nodiscard]] bool removes_pixels() const { return !compiled || compiled->removes_pixels(); }
@@ -47,9 +35,18 @@ struct RuleBody {
 
 using SharedRule = std::shared_ptr<const RuleBody>;
 
-/// Binds a parallel rule: the only place that knows whether its scan functions come from compiled
-/// C++, from emitted code or from an interpreter. With `fixed` every scan must have fixed pixels,
-/// else none. Scans, or passes on tiles, are nullptr where there are none for the layout.
+struct RuleAccess {
+  [[nodiscard]] static const SharedRule& body_of(const Rule& rule) { return rule.body_; }
+  [[nodiscard]] static Rule make(SharedRule body) { return Rule(std::move(body)); }
+};
+
+[[nodiscard]] inline const SharedRule& body_of(const Rule& rule) {
+  return RuleAccess::body_of(rule);
+}
+
+/// Binds a rule: the only place that knows whether its scan functions come from compiled C++, from
+/// emitted code or from an interpreter. With `fixed` every scan must have fixed pixels, else none.
+/// Scans, or passes on tiles, are nullptr where there are none for the layout.
 [[nodiscard]] BoundRule bind(const SharedRule& rule, Isa isa, Layout layout, bool fixed);
 
 /// Whether registers of an ISA hold a row of 512 pixels, so that there is Layout::row.

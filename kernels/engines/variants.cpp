@@ -32,10 +32,4 @@ std::vector<ThinningVariant> parallel_variants(bool built_in, bool adds_pixels) 
   return list.take();
 }
 
-std::vector<ThinningVariant> spta_variants() {
-  ThinningVariants list;
-  list.add("bitpacked", Isa::baseline, &make_spta, {kWordsPriority});
-  return list.take();
-}
-
 }  // namespace thinbench::detail

@@ -7,12 +7,9 @@
 
 namespace thinbench::detail {
 
-/// The variants of parallel rules: of those with built-in circuits or of those given by tables, and
-/// of those that add pixels or of those that do not.
+/// The variants of rules: of those with built-in circuits or of those given by tables, and of those
+/// that add pixels or of those that do not.
 [[nodiscard]] std::vector<ThinningVariant> parallel_variants(bool built_in, bool adds_pixels);
-
-/// The variants of the original, sequential SPTA.
-[[nodiscard]] std::vector<ThinningVariant> spta_variants();
 
 /// Whether scans get fixed pixels.
 [[nodiscard]] bool has_fixed_pixels(const ThinningParameters& parameters);
@@ -25,7 +22,6 @@ namespace thinbench::detail {
 [[nodiscard]] std::unique_ptr<ThinningState> make_rows(const ThinningSetting& setting);
 /// nullptr if the rule has no passes on tiles, or the image more than 2^30 tiles.
 [[nodiscard]] std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting);
-[[nodiscard]] std::unique_ptr<ThinningState> make_spta(const ThinningSetting& setting);
 
 /// Priorities within an ISA: the highest is the fastest technique. Those below kWordsPriority are
 /// of techniques that are compared with the product's.

@@ -148,8 +148,8 @@ typedef struct thinbench_rule_info {
   size_t sub_iterations;   /* number of tables */
   const char* border;
   int32_t max_iterations; /* INT32_MAX: no limit */
-  /* How far the effect of a pixel advances in an iteration, in pixels along rows and columns; 0
-   * without a bound. What is farther than iterations * reach from a pixel does not change it. */
+  /* How far the effect of a pixel advances in an iteration, in pixels along rows and columns. What
+   * is farther than iterations * reach from a pixel does not change it. */
   int32_t reach;
 } thinbench_rule_info;
 
@@ -259,6 +259,20 @@ THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours,
                                                         ptrdiff_t levels_stride, ptrdiff_t height,
                                                         ptrdiff_t width, int32_t samples,
                                                         const char* channel, const char** chosen);
+
+/* The directions of the midpoint scan, to be combined by |. */
+#define THINBENCH_ROWS 1          /* west to east */
+#define THINBENCH_COLUMNS 2       /* north to south */
+#define THINBENCH_DIAGONALS 4     /* north-west to south-east */
+#define THINBENCH_ANTIDIAGONALS 8 /* north-east to south-west */
+#define THINBENCH_ALL_DIRECTIONS 15
+
+/* Marks the midpoint of every run of foreground pixels along each direction. The border is
+ * "background" or "keep", NULL stands for the first. The destination may be the source. */
+THINBENCH_API thinbench_status thinbench_midpoint_scan(const thinbench_stack* source,
+                                                       const thinbench_output* destination,
+                                                       int32_t directions, const char* border,
+                                                       const thinbench_execution* execution);
 
 /* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
  * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination must

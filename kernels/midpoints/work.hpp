@@ -3,7 +3,7 @@
 
 #include "core/plane_view.hpp"
 #include "thinbench/isa.hpp"
-#include "thinbench/rule.hpp"
+#include "thinbench/midpoint_scan.hpp"
 
 namespace thinbench::detail {
 

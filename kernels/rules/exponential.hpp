@@ -9,17 +9,17 @@ struct RealOps;
 
 template <>
 struct RealOps<float> {
-  static float constant(float value) { return value; }
-  static float clamped(float x, float low, float high) {
+  static constexpr float constant(float value) { return value; }
+  static constexpr float clamped(float x, float low, float high) {
     return x < low ? low : (x > high ? high : x);
   }
   /// The nearest integer for |x| < 2^22, ties to even: adding 1.5 * 2^23 leaves no fraction bits.
-  static float rounded(float x) {
+  static constexpr float rounded(float x) {
     constexpr float magic = 12582912.0F;
     return (x + magic) - magic;
   }
   /// 2^n for integers n in [-126, 127].
-  static float power_of_two(float n) {
+  static constexpr float power_of_two(float n) {
     return __builtin_bit_cast(float, (static_cast<int>(n) + 127) << 23);
   }
 };
@@ -29,7 +29,7 @@ struct RealOps<float> {
 /// few bits, so its product is exact. Relative error below 1.1e-7:
 /// docs/experiments.md#nets.
 template <class Real>
-[[gnu::always_inline]] inline Real exponential(Real x) {
+[[gnu::always_inline]] constexpr Real exponential(Real x) {
   using Ops = RealOps<Real>;
   const auto c = [](float value) { return Ops::constant(value); };
   const Real clamped = Ops::clamped(x, -87.0F, 87.0F);
@@ -48,7 +48,7 @@ template <class Real>
 
 /// Equation (1).
 template <class Real>
-[[gnu::always_inline]] inline Real sigmoid(Real x) {
+[[gnu::always_inline]] constexpr Real sigmoid(Real x) {
   const Real one = RealOps<Real>::constant(1.0F);
   return one / (one + exponential(RealOps<Real>::constant(0.0F) - x));
 }

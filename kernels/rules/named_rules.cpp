@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 
+#include "rules/nets.hpp"
+#include "rules/trained_cluster.hpp"
 #include "rules/window.hpp"
 #include "thinbench/rule_notation.hpp"
 
@@ -179,6 +181,12 @@ constexpr WindowTable kLife[] = {make_window_table([](std::size_t window) {
   return neighbours == 3 || (centre(window) && neighbours == 2);
 })};
 
+constexpr WindowTable kSigmoidNet[] = {detail::decisions_of(kPaperTwoLayer, Activation::sigmoid)};
+constexpr WindowTable kLinearNet[] = {detail::decisions_of(kPaperTwoLayer, Activation::linear)};
+constexpr WindowTable kCluster[] = {detail::decisions_of(detail::kTrainedCluster)};
+
+constexpr std::string_view kPaper =
+    "Lazea, Muresan and Lupu, Image processing algorithms used in robotics applications, 1999";
 constexpr std::string_view kBwmorph = "bwmorph of Octave's image package";
 constexpr std::string_view kPratt =
     "bwmorph of Octave's image package; Pratt, Digital Image Processing";
@@ -200,6 +208,12 @@ constexpr NamedRule kNamedRules[] = {
     {"hbreak", "removes the middle of an H", kBwmorph, kHbreak},
     {"life", "Conway's game of life, B3/S23", "Gardner, Scientific American 223(4), 1970", kLife},
     {"majority", "foreground where five or more of the nine pixels are", kBwmorph, kMajority},
+    {"net_single_layer_cluster", "the cluster of twelve single-layer nets, equations (5) to (7)",
+     kPaper, kCluster, Border::background, kUnlimited},
+    {"net_two_layer_linear", "the two-layer net of Table 1 with linear threshold (2)", kPaper,
+     kLinearNet, Border::background, kUnlimited},
+    {"net_two_layer_sigmoid", "the two-layer net of Table 1 with sigmoid (1)", kPaper, kSigmoidNet,
+     Border::background, kUnlimited},
     {"prune", "removes end points, eight kinds one after the other", kGonzalez, kPrune},
     {"remove", "removes inner pixels, so that outlines remain", kBwmorph, kRemove},
     {"spur", "removes pixels whose only neighbour is a diagonal one", kBwmorph, kSpur},

@@ -67,9 +67,8 @@ template <class Next>
 struct Autovec {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static std::uint64_t pass(const TableRule*, const std::uint8_t* fixed,
-                            const ConstBytePlaneView& source, const BytePlaneView& target,
-                            const Band& band) {
+  static std::uint64_t pass(const std::uint8_t* fixed, const ConstBytePlaneView& source,
+                            const BytePlaneView& target, const Band& band) {
     return for_each_run(band, [&](Index y, Index from, Index to) {
       return row<Rule, sub>(fixed == nullptr ? nullptr : fixed + from, source.row(y) + from,
                             source.stride, target.row(y) + from, to - from) != 0;

@@ -3,12 +3,31 @@
 // only.
 #pragma once
 
+#include "rules/exponential.hpp"
 #include "techniques/changed_pixels.hpp"
-#include "techniques/float_lanes.hpp"
 #include "techniques/net_model.hpp"
 
 namespace thinbench::detail {
+
+template <>
+struct RealOps<FloatBatch> {
+  [[gnu::always_inline]] static FloatBatch constant(float value) { return FloatBatch(value); }
+  [[gnu::always_inline]] static FloatBatch clamped(FloatBatch x, float low, float high) {
+    return simd::min(simd::max(x, FloatBatch(low)), FloatBatch(high));
+  }
+  [[gnu::always_inline]] static FloatBatch rounded(FloatBatch x) {
+    const FloatBatch magic(12582912.0F);
+    return (x + magic) - magic;
+  }
+  [[gnu::always_inline]] static FloatBatch power_of_two(FloatBatch n) {
+    const IntBatch bits = (simd::to_int(n) + IntBatch(127)) << 23;
+    return reinterpreted<FloatBatch>(bits);
+  }
+};
+
 inline namespace THINBENCH_ISA {
+
+inline constexpr Index kFloatLanes = static_cast<Index>(FloatBatch::size);
 
 /// Makes each addition load and broadcast its own weight. Without this barrier GCC hoists 81
 /// weights out of the loop, spills them and reloads whole registers.

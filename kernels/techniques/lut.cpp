@@ -99,13 +99,26 @@ std::uint64_t sliding_rows(const std::uint16_t* table, const std::uint8_t* fixed
   return all_rows(row, table, fixed, source, target, band);
 }
 
+constexpr std::size_t kPairTableSize = 4096;
+
+/// `pairs[window]` holds the two new pixels at the centre of a window of four columns and three
+/// rows, one per byte. Bits 3 c to 3 c + 2 of the window are its column c, south first.
 struct PairTable {
   std::uint16_t pairs[kPairTableSize];
 };
 
-constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
+constexpr PairTable make_pair_table(const RuleTable& new_pixel) {
+  // Maps bit i of three adjacent columns to bit bit_of[i] of k + 256 p.
+  constexpr int bit_of[9] = {5, 4, 3, 6, 8, 2, 7, 0, 1};
+  const auto pixel = [&](std::size_t columns) {
+    std::size_t index = 0;
+    for (std::size_t bit = 0; bit < 9; ++bit) index |= (columns >> bit & 1) << bit_of[bit];
+    return new_pixel[index];
+  };
   PairTable table{};
-  fill_pair_table(by_descriptor.data(), table.pairs);
+  for (std::size_t window = 0; window < kPairTableSize; ++window) {
+    table.pairs[window] = static_cast<std::uint16_t>(pixel(window & 511) | pixel(window >> 3) << 8);
+  }
   return table;
 }
 
@@ -113,9 +126,8 @@ struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>)  // 21 input pixels would need a table of 2^21 entries
-      static std::uint64_t
-      pass(const TableRule*, const std::uint8_t* fixed, const ConstBytePlaneView& source,
-           const BytePlaneView& target, const Band& band) {
+      static std::uint64_t pass(const std::uint8_t* fixed, const ConstBytePlaneView& source,
+                                const BytePlaneView& target, const Band& band) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
     return lut_rows(kTable.data() + 256, fixed, source, target, band);
   }
@@ -125,30 +137,16 @@ struct LutSliding {
   using Element = std::uint8_t;
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>) static std::uint64_t
-      pass(const TableRule*, const std::uint8_t* fixed, const ConstBytePlaneView& source,
-           const BytePlaneView& target, const Band& band) {
+      pass(const std::uint8_t* fixed, const ConstBytePlaneView& source, const BytePlaneView& target,
+           const Band& band) {
     static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
     return sliding_rows(kTable.pairs, fixed, source, target, band);
   }
 };
 
-std::uint64_t table_lut(const TableRule* rule, const std::uint8_t* fixed,
-                        const ConstBytePlaneView& source, const BytePlaneView& target,
-                        const Band& band) {
-  return lut_rows(rule->new_pixel + 256, fixed, source, target, band);
-}
-
-std::uint64_t table_lut_sliding(const TableRule* rule, const std::uint8_t* fixed,
-                                const ConstBytePlaneView& source, const BytePlaneView& target,
-                                const Band& band) {
-  return sliding_rows(rule->pixel_pairs, fixed, source, target, band);
-}
-
 }  // namespace
 
 constinit const PassesByRule<std::uint8_t> LutPasses::kLut = passes_by_rule<Lut>();
 constinit const PassesByRule<std::uint8_t> LutPasses::kLutSliding = passes_by_rule<LutSliding>();
-constinit const BytePass LutPasses::kTableLut = &table_lut;
-constinit const BytePass LutPasses::kTableLutSliding = &table_lut_sliding;
 
 }  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 // files of every ISA.
 #pragma once
 
-#include "midpoints/work.hpp"
+#include "midpoints/state.hpp"
 #include "techniques/byte_planes.hpp"
 
 namespace thinbench::detail {
@@ -17,5 +17,8 @@ struct ByteScanKernels {
               std::uint64_t* scratch);
   Index (*scratch_words)(Index width, Index height);
 };
+
+/// The techniques that the scan is compared with.
+[[nodiscard]] VariantList<MidpointState> midpoint_techniques();
 
 }  // namespace thinbench::detail

@@ -54,15 +54,19 @@ bool fixed_point_keeps(const FixedPointNet& net, int descriptor) {
   return sum >= 0;
 }
 
+bool agrees(const FixedPointNet& net, const WindowTable& table) {
+  for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
+    const int descriptor = static_cast<int>(descriptor_of(window)) - 256;
+    if (descriptor >= 0 && fixed_point_keeps(net, descriptor) != table[window]) return false;
+  }
+  return true;
+}
+
 /// Finds the largest scale of 16, 8, 4, 2, 1 at which the fixed-point net agrees with the table.
-void find_fixed_point(NetModel& model) {
+void find_fixed_point(NetModel& model, const WindowTable& table) {
   for (float scale = 16; scale >= 1 && !model.fixed_point_is_exact; scale /= 2) {
-    if (!make_fixed_point(model.two_layer, scale, model.fixed_point)) continue;
-    bool exact = true;
-    for (int k = 0; k < 256; ++k) {
-      exact = exact && fixed_point_keeps(model.fixed_point, k) == (model.new_pixel[256 + k] != 0);
-    }
-    model.fixed_point_is_exact = exact;
+    model.fixed_point_is_exact = make_fixed_point(model.two_layer, scale, model.fixed_point) &&
+                                 agrees(model.fixed_point, table);
   }
 }
 
@@ -76,28 +80,20 @@ void fill_columns(const ClusterWeights& weights, NetModel& model) {
   }
 }
 
-NetModel model_of(const WindowTable& table) {
-  NetModel model{};
-  for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
-    model.new_pixel[descriptor_of(window)] = table[window] ? 1 : 0;
-  }
-  fill_pair_table(model.new_pixel, model.pixel_pairs);
-  return model;
-}
-
 }  // namespace
 
 NetModel make_net_model(const TwoLayerWeights& weights, Activation activation,
                         const WindowTable& table) {
-  NetModel model = model_of(table);
-  model.activation = activation;
+  NetModel model{};
+  model.kind = activation == Activation::linear ? NetKind::linear : NetKind::sigmoid;
   model.two_layer = weights;
-  if (activation == Activation::linear) find_fixed_point(model);
+  if (model.kind == NetKind::linear) find_fixed_point(model, table);
   return model;
 }
 
-NetModel make_net_model(const ClusterWeights& weights, const WindowTable& table) {
-  NetModel model = model_of(table);
+NetModel make_net_model(const ClusterWeights& weights) {
+  NetModel model{};
+  model.kind = NetKind::cluster;
   model.cluster = weights;
   fill_columns(weights, model);
   return model;

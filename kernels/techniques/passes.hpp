@@ -10,25 +10,16 @@
 #include "rules/parallel_rules.hpp"
 #include "scan/built_in.hpp"
 #include "techniques/byte_planes.hpp"
-#include "techniques/table_rule.hpp"
 
 namespace thinbench::detail {
 
 /// Applies one sub-iteration to the active columns of `band` and returns which of them changed. May
 /// also write the correct pixels of inactive columns; writes no other rows. The planes have equal
-/// sizes and do not overlap. `rule` is nullptr for compile-time rules. `fixed` is nullptr or a row
-/// with a 1 for every pixel that must not change. Thread-safe for different bands.
+/// sizes and do not overlap. `fixed` is nullptr or a row with a 1 for every pixel that must not
+/// change. Thread-safe for different bands.
 template <class T>
-using Pass = std::uint64_t (*)(const TableRule* rule, const T* fixed,
-                               const ConstPlaneView<T>& source, const PlaneView<T>& target,
-                               const Band& band);
-
-/// A Pass on packed pixels that also reads `previous`, the image before the last sub-iteration
-/// (background before the first).
-using ChangePass = std::uint64_t (*)(const TableRule* rule, const std::uint64_t* fixed,
-                                     const ConstBitPlaneView& previous,
-                                     const ConstBitPlaneView& source, const BitPlaneView& target,
-                                     const Band& band);
+using Pass = std::uint64_t (*)(const T* fixed, const ConstPlaneView<T>& source,
+                               const PlaneView<T>& target, const Band& band);
 
 /// For engines that work row by row: calls `row(y, from, to)` for each run of active columns and
 /// each row of the band. Returns the columns of the runs for which a call returned true.
@@ -83,7 +74,6 @@ consteval ByRule<SubIterations<Function>> sub_iterations_by_rule() {
   return table;
 }
 
-using BytePass = Pass<std::uint8_t>;
 template <class T>
 using PassesByRule = ByRule<SubIterations<Pass<T>>>;
 
@@ -92,12 +82,10 @@ consteval PassesByRule<typename Engine::Element> passes_by_rule() {
   return sub_iterations_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
-/// Compiled once, for the baseline. The last two require a TableRule.
+/// Compiled once, for the baseline.
 struct LutPasses {
   static const PassesByRule<std::uint8_t> kLut;
   static const PassesByRule<std::uint8_t> kLutSliding;
-  static const BytePass kTableLut;
-  static const BytePass kTableLutSliding;
 };
 
 /// Compiled for every ISA.

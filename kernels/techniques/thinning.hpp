@@ -8,4 +8,7 @@ namespace thinbench::detail {
 /// Those that suit the rule.
 [[nodiscard]] ThinningVariants thinning_techniques(const RuleBody& rule);
 
+/// Sequential SPTA; the setting's rule does not matter.
+[[nodiscard]] std::unique_ptr<ThinningState> make_spta(const ThinningSetting& setting);
+
 }  // namespace thinbench::detail

@@ -7,6 +7,7 @@
 #include "distance/kernels.hpp"
 #include "graph/node_pixels.hpp"
 #include "techniques/autovec_edges.hpp"
+#include "techniques/midpoints.hpp"
 #include "techniques/thinning.hpp"
 
 namespace thinbench::detail::study {
@@ -86,9 +87,16 @@ std::unique_ptr<GraphState> make_bitpacked_graph(const GraphSetting& setting) {
 }  // namespace
 
 std::span<const ThinningOperation> thinning_operations() {
-  static const auto all = extended(detail::thinning_operations(), [](const auto& operation) {
-    return thinning_techniques(*operation.key.body());
-  });
+  static const auto all = [] {
+    auto operations = extended(detail::thinning_operations(), [](const auto& operation) {
+      return thinning_techniques(*body_of(operation.key));
+    });
+    for (const StudyRuleInfo& info : kStudyRules) {
+      const Rule rule = make_rule(info.rule);
+      operations.push_back({rule, info.operation, info.description, all_variants(*body_of(rule))});
+    }
+    return operations;
+  }();
   return all;
 }
 
@@ -116,15 +124,27 @@ const GraphOperation& graph_operation() {
   return operation;
 }
 
+const MidpointOperation& midpoint_operation() {
+  static const MidpointOperation operation =
+      with(midpoint_techniques(), detail::midpoint_operation());
+  return operation;
+}
+
 const ThinningOperation& operation_of(BuiltInRule rule) {
   static_cast<void>(rule_info(rule));
   return thinning_operations()[static_cast<std::size_t>(rule)];
 }
 
-std::vector<ThinningVariant> thinning_variants(const Rule& rule) {
-  return with(thinning_techniques(*rule.body()),
-              ThinningOperation{rule, {}, {}, detail::thinning_variants(*rule.body())})
-      .variants;
+const ThinningOperation& operation_of(StudyRule rule) {
+  return thinning_operations()[kRules.size() + static_cast<std::size_t>(rule)];
+}
+
+std::vector<ThinningVariant> all_variants(const RuleBody& rule) {
+  auto variants = thinning_techniques(rule).take();
+  if (dynamic_cast<const SptaBody*>(&rule) != nullptr) return variants;
+  const auto& product = detail::thinning_variants(rule);
+  variants.insert(variants.end(), product.begin(), product.end());
+  return variants;
 }
 
 const TechniqueInfo& technique_info(std::string_view name) {

@@ -8,21 +8,27 @@
 #include "edges/state.hpp"
 #include "graph/state.hpp"
 #include "localise/state.hpp"
+#include "midpoints/state.hpp"
+#include "techniques/study_rules.hpp"
 #include "thinning/operations.hpp"
 
 namespace thinbench::detail::study {
 
 // All live as long as the program.
+
+/// Those of the product, then those of kStudyRules.
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 [[nodiscard]] const DistanceOperation& distance_operation();
 [[nodiscard]] const GraphOperation& graph_operation();
+[[nodiscard]] const MidpointOperation& midpoint_operation();
 
 /// Throws std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] const ThinningOperation& operation_of(BuiltInRule rule);
+[[nodiscard]] const ThinningOperation& operation_of(StudyRule rule);
 
 /// All variants of any rule.
-[[nodiscard]] std::vector<ThinningVariant> thinning_variants(const Rule& rule);
+[[nodiscard]] std::vector<ThinningVariant> all_variants(const RuleBody& rule);
 
 struct TechniqueInfo {
   std::string_view name;

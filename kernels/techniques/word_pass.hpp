@@ -12,9 +12,8 @@ struct WordPass {
   using Element = typename WordTraits<Word>::Element;
 
   template <class Rule, int sub>
-  static std::uint64_t pass(const TableRule*, const Element* fixed,
-                            const ConstPlaneView<Element>& source, const PlaneView<Element>& target,
-                            const Band& band) {
+  static std::uint64_t pass(const Element* fixed, const ConstPlaneView<Element>& source,
+                            const PlaneView<Element>& target, const Band& band) {
     if (fixed == nullptr) {
       return columns<Rule, sub>(source, target, band, [](Index) { return NoFixedPixels{}; });
     }

@@ -96,7 +96,7 @@ ThinningBatch::ThinningBatch(const Rule& rule, Index width, Index height, const 
   const ThinningParameters parameters = detail::thinning_parameters(rule, thinning);
   const detail::ThinningVariant& variant =
       detail::choose_thinning(parameters, width, height, {.threads = 1, .isa = execution.isa});
-  const bool in_lanes = detail::has_lanes(parameters) && width <= detail::kMaxLaneWidth;
+  const bool in_lanes = width <= detail::kMaxLaneWidth;
   std::vector<Worker> workers;
   if (in_lanes) {
     const auto bound = std::make_shared<const detail::BoundRule>(

@@ -115,14 +115,13 @@ void choose_canvases(Plan& plan, bool same_size) {
 
 Plan plan_for(const ThinningParameters& parameters, const ImageList& images,
               const Execution& execution) {
-  const bool lanes = has_lanes(parameters);
   Plan plan;
   for (std::size_t i = 0; i < images.sources.size(); ++i) {
     const ConstImageView& image = images.sources[i];
     if (is_large(image, execution)) {
       plan.large.push_back(i);
     } else {
-      const bool on_canvas = lanes && fits_lanes(image);
+      const bool on_canvas = fits_lanes(image);
       (on_canvas ? plan.canvases : plan.singles).push_back({image.width, image.height, i});
     }
   }

@@ -2,18 +2,13 @@
 
 #include "core/checks.hpp"
 #include "engines/variants.hpp"
-#include "midpoints/variants.hpp"
 
 namespace thinbench::detail {
 
 const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule) {
-  static const auto& midpoints = kept(midpoint_variants());
-  static const auto& spta = kept(spta_variants());
   static const auto& built_in = kept(parallel_variants(true, false));
   static const auto& removing = kept(parallel_variants(false, false));
   static const auto& adding = kept(parallel_variants(false, true));
-  if (rule.kind == RuleKind::midpoints) return midpoints;
-  if (rule.kind == RuleKind::spta) return spta;
   if (rule.circuits) return built_in;
   return rule.adds_pixels() ? adding : removing;
 }
@@ -24,7 +19,7 @@ std::span<const ThinningOperation> thinning_operations() {
     for (const RuleInfo& info : kRules) {
       const Rule rule = info.rule;
       operations.push_back(
-          {rule, info.operation, info.description, thinning_variants(*rule.body())});
+          {rule, info.operation, info.description, thinning_variants(*body_of(rule))});
     }
     return operations;
   }());
@@ -40,7 +35,7 @@ const ThinningVariant& choose_thinning(const ThinningParameters& parameters, Ind
 }
 
 ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinning) {
-  const SharedRule& body = rule.body();
+  const SharedRule& body = body_of(rule);
   const Border border = thinning.border.value_or(body->border);
   const int max_iterations = thinning.max_iterations.value_or(body->max_iterations);
   const std::string& name = body->operation;

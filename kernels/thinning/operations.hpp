@@ -34,9 +34,4 @@ struct ThinningCall {
   }
 };
 
-/// Whether small images are thinned in lanes, many at once.
-[[nodiscard]] inline bool has_lanes(const ThinningParameters& parameters) {
-  return parameters.rule->kind == RuleKind::parallel;
-}
-
 }  // namespace thinbench::detail

@@ -14,6 +14,7 @@ from thinbench._images import (distance, edges, euler_number, fill_holes, fill_l
 from thinbench._label_graphs import graph_labels, prune_labels
 from thinbench._library import release_memory
 from thinbench._library import version as _version
+from thinbench._midpoints import midpoint_scan
 from thinbench._packed import thin_packed
 from thinbench._path import path
 from thinbench._rules import Rule
@@ -24,5 +25,5 @@ __version__: str = _version().decode()
 __all__ = [
     "PIXEL_CLASSES", "Cycle", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise", "classify_pixels",
     "compat", "cpu", "distance", "edges", "euler_number", "fill_holes", "fill_label_holes", "graph",
-    "graph_labels", "label", "label_values", "localise", "medial_axis", "named_rules", "path", "prune",
-    "prune_labels", "regions", "release_memory", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]
+    "graph_labels", "label", "label_values", "localise", "medial_axis", "midpoint_scan", "named_rules", "path",
+    "prune", "prune_labels", "regions", "release_memory", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]

@@ -79,6 +79,7 @@ thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _
 binarise = _checked("binarise", _BYTES, _BYTES, _BYTES, _POINTER, _POINTER)
 select_channel = _checked("select_channel", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
                           _DISTANCE, _INT, _BYTES, _POINTER)
+midpoint_scan = _checked("midpoint_scan", _BYTES, _BYTES, _INT, _BYTES, _BYTES)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
 distances = _checked("distances", _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES)

@@ -302,7 +302,7 @@ class Rule:
 
     @property
     def tables(self) -> npt.NDArray[np.bool_]:
-        """Read-only, of shape (sub-iterations, 512); none for "spta", "mb2" and "midpoint_scan"."""
+        """Read-only, of shape (sub-iterations, 512); none for "mb2"."""
         return self._tables.view()
 
     @property
@@ -318,7 +318,7 @@ class Rule:
 
     @property
     def reach(self) -> int:
-        """How many pixels the effect of a pixel advances in an iteration; 0 without a bound."""
+        """How many pixels the effect of a pixel advances in an iteration."""
         return self._info.reach
 
     @property

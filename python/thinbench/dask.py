@@ -43,8 +43,7 @@ def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None
         Nonzero is foreground. Chunks of any size; those smaller than the halo are merged for the
         computation.
     rule, border, max_iterations
-        As in `thinbench.thin`, but the rule has a `reach`, which sequential rules ("spta") and
-        "midpoint_scan" have not. "keep" refers to the border of the whole image. With a limit, of
+        As in `thinbench.thin`. "keep" refers to the border of the whole image. With a limit, of
         the rule or of the call, halos cover all iterations, and the result is lazy.
     depth : int
         Width of the halos without a limit, in pixels. More depth, fewer rounds.
@@ -75,9 +74,6 @@ def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None
     _check_image(array)
     thinbench.thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations)
     used = rule_of(rule)
-    if used.reach == 0:
-        raise ValueError(f"rule: {used.name!r} has no bound for the effect of a pixel, so chunks "
-                         "cannot be exact")
     if _arrays.integer("depth", depth) < used.reach:
         raise ValueError(f"depth: expected at least {used.reach}, the pixels that {used.name!r} "
                          f"advances in an iteration, got {depth}")

@@ -32,7 +32,7 @@ TEST(ThinningBatch, works_after_a_move) {
   ThinningBatch first(Rule::zhang_suen, 28, 28);
   const int iterations = first(stack, stack);
   ThinningBatch second(std::move(first));
-  first = ThinningBatch(Rule::spta, 5, 5);
+  first = ThinningBatch(Rule::mb2, 5, 5);
   std::fill(pixels.begin(), pixels.end(), std::uint8_t{255});
   EXPECT_EQ(second(stack, stack), iterations);
 }

@@ -305,6 +305,20 @@ static void rules_apply_to_packed_images(void) {
   thinbench_rule_destroy(life);
 }
 
+static void scans_midpoints(void) {
+  uint8_t row[7] = {9, 9, 9, 0, 1, 1, 1};
+  const uint8_t marks[7] = {0, 1, 0, 0, 0, 1, 0};
+  const thinbench_stack line = {row, 1, 1, 7, 7, 0};
+  const thinbench_output to = {row, 7, 0, 1};
+  draw();
+  CHECK(thinbench_midpoint_scan(&line, &to, THINBENCH_ROWS, NULL, NULL) == THINBENCH_OK);
+  CHECK(memcmp(row, marks, sizeof(row)) == 0);
+  rejects(thinbench_midpoint_scan(&line, &to, 16, NULL, NULL), "got 16");
+  rejects(thinbench_midpoint_scan(&line, &to, 1, "foreground", NULL), "got foreground");
+  rejects(thinbench_midpoint_scan(&line, &to, 1, "wrap", NULL), "'wrap'");
+  rejects(thinbench_midpoint_scan(&line, NULL, 1, NULL, NULL), "destination is NULL");
+}
+
 /* A net that keeps every pixel, and one that keeps none. */
 static void rules_are_made_from_nets(void) {
   const int32_t last[1] = {255};
@@ -725,6 +739,7 @@ int main(void) {
   fills_holes_and_finds_edges();
   rules_are_made_from_tables();
   rules_apply_to_packed_images();
+  scans_midpoints();
   rules_are_made_from_nets();
   selects_a_channel();
   binarises_grey_images();

@@ -19,6 +19,7 @@
 #include "thinbench/graph_paths.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/rule_notation.hpp"
@@ -45,7 +46,8 @@ const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
       {"thin",
        [](Source from, Destination to, How how) { thin(Rule::guo_hall, from, to, {}, how); }},
-      {"spta", [](Source from, Destination to, How how) { thin(Rule::spta, from, to, {}, how); }},
+      {"midpoint_scan", [](Source from, Destination to,
+                           How how) { midpoint_scan(from, to, {}, Border::background, how); }},
       {"fill_holes", [](Source from, Destination to, How how) { fill_holes(from, to, how); }},
       {"fill_holes up to an area",
        [](Source from, Destination to, How how) {
@@ -156,8 +158,6 @@ TEST(Operations, of_an_instruction_set_without_a_variant_list_the_others) {
   Untouched from, to;
   const ConstImageView source = {from.data(), 20, 8, 64};
   const ImageView destination = {to.data(), 20, 8, 64};
-  expect_rejected([&] { thin(Rule::spta, source, destination, {}, {.isa = Isa::sse42}); },
-                  "thin_spta at sse4.2 on one thread: its instruction sets are baseline");
   if (all_isas().size() < 5) return;  // or the list is shorter
   expect_rejected(
       [&] { detect_edges(EdgeOperator::sobel, source, destination, {}, {.isa = Isa::avx512icl}); },
@@ -228,7 +228,13 @@ TEST(Enumerations, reject_values_outside_them) {
       "order" + expected + "2");
   expect_rejected([&] { (void)euler_number(image, static_cast<Connectivity>(6)); },
                   "connectivity: expected 4 or 8, got 6");
-  expect_rejected([] { Rule(Directions{0x10}); }, "directions: expected bits in [0, 15], got 16");
+  expect_rejected([&] { midpoint_scan(image, image, Directions{0x10}); },
+                  "directions: expected bits in [0, 15], got 16");
+  for (const auto& [border, name] :
+       {std::pair{Border::foreground, "foreground"}, {static_cast<Border>(7), "7"}}) {
+    expect_rejected([&] { midpoint_scan(image, image, {}, border); },
+                    std::string("border: expected background or keep, got ") + name);
+  }
   expect_rejected([&] { fill_holes(image, image, static_cast<Connectivity>(6), 1); },
                   "connectivity: expected 4 or 8, got 6");
   expect_rejected([&] { fill_holes(image, image, Connectivity::four, -1); },

@@ -56,7 +56,7 @@ TEST(Thin, does_what_a_rule_says_unless_told_otherwise) {
 
 TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
   const Rule rule = Rule::naccache_shinghal;
-  const Rule net(kPaperTwoLayer, Activation::linear);
+  const Rule net = Rule::from_net(kPaperTwoLayer, Activation::linear);
   for (const Index width : {600, 2048}) {
     const ByteImage image = noise_image(width, 70, 90, 2, 3);
     Thinner by_rule(rule, width, 70);
@@ -67,12 +67,13 @@ TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
     EXPECT_EQ(by_rule(image.view(), expected.view()), by_net(image.view(), out.view()));
     EXPECT_TRUE(equal(out.view(), expected.view())) << width;
   }
-  EXPECT_EQ(&detail::thinning_variants(*net.body()), &detail::thinning_variants(*rule.body()));
+  EXPECT_EQ(&detail::thinning_variants(*detail::body_of(net)),
+            &detail::thinning_variants(*detail::body_of(rule)));
 }
 
 TEST(Rule, of_a_net_reaches_the_adjacent_pixels) {
-  EXPECT_EQ(Rule(kPaperTwoLayer, Activation::linear).reach(), 1);
-  EXPECT_EQ(Rule(Rule::net_two_layer_linear).reach(), 1);
+  EXPECT_EQ(Rule::from_net(kPaperTwoLayer, Activation::linear).reach(), 1);
+  EXPECT_EQ(Rule::named("net_two_layer_linear").reach(), 1);
 }
 
 TEST(Thin, takes_one_iteration_for_images_without_pixels) {
@@ -109,9 +110,6 @@ TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
   EXPECT_EQ(wide.isa(), best_isa());
   EXPECT_EQ(narrow.technique(), has_row_kernel() ? "simd_bitpacked_row" : "simd_bitpacked_tiles");
   EXPECT_EQ(wide.technique(), "simd_bitpacked_tiles");
-  const Thinner sequential(Rule::spta, 2000, 2000, {}, {.threads = 4});
-  EXPECT_EQ(sequential.technique(), "bitpacked");
-  EXPECT_EQ(sequential.isa(), Isa::baseline);
 }
 
 TEST(Thinner, works_after_moves) {
@@ -123,7 +121,7 @@ TEST(Thinner, works_after_moves) {
   Thinner first(Rule::mb2, 60, 20);
   const std::string_view technique = first.technique();
   Thinner second(std::move(first));
-  Thinner third(Rule::spta, 5, 5);
+  Thinner third(Rule::zhang_suen, 5, 5);
   third = std::move(second);
   EXPECT_EQ(third.technique(), technique);
   ByteImage out(60, 20);

@@ -8,6 +8,7 @@
 #include "rules/trained_cluster.hpp"
 #include "support/made_image.hpp"
 #include "support/whole_file.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "training/weights_text.hpp"
 #include "typed.hpp"
 
@@ -91,7 +92,8 @@ TEST_F(RunCommand, directions_select_those_of_the_scan) {
   Directions directions = kNoDirections;
   directions.add(Direction::rows);
   directions.add(Direction::diagonals);
-  const ByteImage expected = thinned(Rule(directions), bright(61));
+  ByteImage expected = bright(61);
+  midpoint_scan(expected.view(), expected.view(), directions);
   output_of("run skeleton_scan in.png out.png --directions rows,diagonals");
   expect_image("out.png", expected);
   output_of("run skeleton_scan in.png out.png --directions columns");
@@ -134,6 +136,11 @@ TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
       {2, scan + "rows,colums", {"'colums'", "'columns'?"}},
       {2, scan + "rows,rows", {"'rows,rows' names rows twice"}},
       {2, "run skeleton_scan in.png out.png --max-iterations 3", {"has no iterations"}},
+      {2, "run skeleton_scan in.png out.png --weights weights.json", {"has no weights"}},
+      {2, "run skeleton_scan in.png out.pbm", {"skeleton_scan does not take packed files"}},
+      {2,
+       "run thin_spta in.png out.png",
+       {"thin_spta is a part of the study: 'thinbench-study pictures --image IMAGE"}},
   });
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
     expect_rejected({2, scan + list, {"'" + list + "' has an empty name; known: rows"}});

@@ -5,6 +5,7 @@
 
 #include "noise_image.hpp"
 #include "support/packed_image.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
@@ -48,8 +49,7 @@ TEST_F(RunRules, every_kind_of_rule_is_applied_and_prints_its_name) {
 }
 
 TEST_F(RunRules, every_border_applies_to_rules_of_every_kind) {
-  for (const std::string name :
-       {"thin_zhang_suen", "net_two_layer_linear", "thin_spta", "skeleton_scan"}) {
+  for (const std::string name : {"thin_zhang_suen", "net_two_layer_linear", "thin_mb2"}) {
     run(name);
     expect_image("out.png", applied(Rule::named(name)));
     for (const Border border : {Border::background, Border::keep, Border::foreground}) {
@@ -64,6 +64,18 @@ TEST_F(RunRules, every_border_applies_to_rules_of_every_kind) {
       expect_image("out.png", applied(Rule::named(name), {.border = border}));
     }
   }
+}
+
+TEST_F(RunRules, the_scan_has_the_border_background_or_keep) {
+  for (const Border border : {Border::background, Border::keep}) {
+    ByteImage expected = noise();
+    midpoint_scan(expected.view(), expected.view(), {}, border);
+    run("skeleton_scan --border " + std::string(border_name(border)));
+    expect_image("out.png", expected);
+  }
+  expect_rejected({2,
+                   "run skeleton_scan --border foreground in.png no.png",
+                   {"skeleton_scan: border: expected background or keep, got foreground"}});
 }
 
 TEST_F(RunRules, packed_files_take_every_rule) {
@@ -87,7 +99,7 @@ TEST_F(RunRules, names_notations_and_files_that_are_no_rules_are_rejected) {
   expect_rejected({
       {2, "run majorty in.png out.png", {"'majorty'; did you mean 'majority'?"}},
       {2, "run bridg in.png out.png", {"'bridg'; did you mean 'bridge'?"}},
-      {2, "run wxyz in.png out.png", {"'wxyz'; known: thin_naccache_shinghal, "}},
+      {2, "run wxyz in.png out.png", {"'wxyz'; known: skeleton_scan, thin_naccache_shinghal, "}},
       {2, "run B9/S23 in.png out.png", {"'B9/S23', column 2", "digit from 0 to 8, got '9'"}},
       {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},
       {2, "run B3/S23 in.png out.png", {"B3/S23" + limit}},

@@ -350,8 +350,8 @@ TEST(Rules, name_what_is_wrong) {
 
 TEST(Rules, with_equal_tables_share_what_was_compiled) {
   const WindowTable table = table_from_hensel("B36/S23");
-  EXPECT_EQ(Rule(table, {.max_iterations = 1}).body()->compiled,
-            Rule(table, {.max_iterations = 7}).body()->compiled);
+  EXPECT_EQ(detail::body_of(Rule(table, {.max_iterations = 1}))->compiled,
+            detail::body_of(Rule(table, {.max_iterations = 7}))->compiled);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/thinning_quality.hpp"
+#include "harness/operation.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "support/made_image.hpp"
@@ -102,9 +103,8 @@ ByteImage turned(const ConstImageView& image, int quarters) {
 
 /// The overlap of the skeleton with that of the image turned by so many quarters.
 double overlap_turned(const std::string& operation, const ConstImageView& image, int quarters) {
-  const Rule rule = *rule_from_name(operation);
-  const ByteImage skeleton = thinned(rule, copy_of(image));
-  const ByteImage other = thinned(rule, turned(image, quarters));
+  const ByteImage skeleton = expected_of(operation, image).image;
+  const ByteImage other = expected_of(operation, turned(image, quarters).view()).image;
   return overlap(skeleton.view(), turned(other.view(), 4 - quarters).view());
 }
 

@@ -53,7 +53,7 @@ DrawnRule draw_rule(ByteSource& input) {
 void check(ByteSource& input, const DrawnRule& drawn, const Rule& rule) {
   const auto parameters = detail::thinning_parameters(rule, {});
   const auto variants = parameters.complemented ? detail::thinning_variants(*parameters.rule)
-                                                : detail::study::thinning_variants(rule);
+                                                : detail::study::all_variants(*parameters.rule);
   const detail::ThinningVariant& variant =
       variants[static_cast<std::size_t>(input.number(0, std::ssize(variants) - 1))];
   const DrawnSize size = draw_size(input);

@@ -7,12 +7,11 @@
 
 namespace thinbench {
 
-/// Built in, named, or the midpoint scan along some directions. Now and then one that does not
-/// exist, for which this throws std::invalid_argument.
+/// Built in or named. Now and then one that does not exist, for which this throws
+/// std::invalid_argument.
 inline Rule draw_rule(ByteSource& input) {
   const Index kind = input.number(0, 15);
   if (kind < 4) return Rule::named(input.pick(named_rules()).name);
-  if (kind == 4) return Rule(Directions{static_cast<std::uint8_t>(input.number(0, 16))});
   const auto last = static_cast<Index>(kRules.size()) - 1;
   return static_cast<BuiltInRule>(input.number(0, input.once_in(32) ? last + 1 : last));
 }

@@ -28,6 +28,7 @@ std::vector<Operation> make_operations() {
       all.push_back(edges_operation(operation, thresholds));
     }
   }
+  append(all, midpoint_family());
   append(all, regions_family());
   append(all, localise_family());
   append(all, distance_family());

@@ -11,11 +11,11 @@ namespace thinbench {
 namespace {
 
 void make_net(const TwoLayerWeights& weights) {
-  static_cast<void>(Rule(weights, Activation::linear));
+  static_cast<void>(Rule::from_net(weights, Activation::linear));
 }
 
 void make_net(const ClusterWeights& weights) {
-  static_cast<void>(Rule(weights));
+  static_cast<void>(Rule::from_net(weights));
 }
 
 void read(const std::string& text) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/job.hpp"
-#include "thinbench/rule.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench::golden {
 
@@ -42,9 +42,10 @@ inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "
 inline std::vector<Case> thinning_cases_on(const std::string& image) {
   std::vector<Case> cases;
   for (const char* border : {"background", "keep"}) {
-    for (const RuleInfo& rule : kRules) {
-      cases.push_back({std::string(rule.operation), border, image});
+    for (const auto& operation : detail::study::thinning_operations()) {
+      cases.push_back({std::string(operation.name), border, image});
     }
+    cases.push_back({"skeleton_scan", border, image});
   }
   return cases;
 }

@@ -1,6 +1,7 @@
 // Runs a case of the golden file.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "support/reference_thinning.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -48,10 +50,30 @@ inline ByteImage unwritten(Index width, Index height) {
   return filled_image(width, height, 77);
 }
 
+/// Of the product or, where it has none of this name, of the study by its best variant.
+inline int thinned(const Case& one, const ByteImage& image, const ImageView& output, int threads) {
+  if (one.operation == "skeleton_scan") {
+    midpoint_scan(image.view(), output, {}, border_of(one), {.threads = threads});
+    return 1;
+  }
+  if (const auto rule = rule_from_name(one.operation)) {
+    return thin(*rule, image.view(), output, {.border = border_of(one)}, {.threads = threads});
+  }
+  const auto& operations = detail::study::thinning_operations();
+  const auto found = std::find_if(operations.begin(), operations.end(), [&](const auto& operation) {
+    return operation.name == one.operation;
+  });
+  if (found == operations.end()) throw std::invalid_argument("no operation " + one.operation);
+  const auto parameters = detail::thinning_parameters(found->key, {.border = border_of(one)});
+  const auto& variant = detail::choose_variant(found->name, found->variants, image.width(),
+                                               image.height(), {.threads = threads});
+  return make_state(variant, image.width(), image.height(), parameters, threads)
+      ->run(image.view(), output);
+}
+
 inline Result run_thinning(const Case& one, const ByteImage& image, int threads) {
   ByteImage output = unwritten(image.width(), image.height());
-  const int iterations = thin(rule_from_name(one.operation).value(), image.view(), output.view(),
-                              {.border = border_of(one)}, {.threads = threads});
+  const int iterations = thinned(one, image, output.view(), threads);
   return hash_of(output) + '/' + std::to_string(iterations);
 }
 
@@ -115,8 +137,14 @@ inline Result run_case(const Case& one, const ByteImage& image, int threads) {
 
 /// By the reference; only for thinning.
 inline Result run_reference(const Case& one, const ByteImage& image) {
-  const Thinned result =
-      thinned_by_reference(rule_from_name(one.operation).value(), image, {border_of(one)});
+  Thinned result = {unwritten(image.width(), image.height()), 0};
+  if (one.operation == "skeleton_scan") {
+    result.iterations =
+        reference::midpoint_scan({}, border_of(one), image.view(), result.image.view());
+  } else {
+    result.iterations =
+        reference_named(one.operation)({border_of(one)}, image.view(), result.image.view());
+  }
   return hash_of(result.image) + '/' + std::to_string(result.iterations);
 }
 

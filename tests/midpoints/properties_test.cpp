@@ -10,12 +10,15 @@
 #include "support/filled_image.hpp"
 #include "support/made_image.hpp"
 #include "support/property_images.hpp"
+#include "thinbench/midpoint_scan.hpp"
 
 namespace thinbench {
 namespace {
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
-  return thinned(Rule(directions), image);
+  ByteImage marks(image.width(), image.height());
+  midpoint_scan(image.view(), marks.view(), directions);
+  return marks;
 }
 
 Directions only(Direction direction) {

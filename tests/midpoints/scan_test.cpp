@@ -12,7 +12,7 @@
 #include "support/filled_image.hpp"
 #include "support/text_image.hpp"
 #include "support/variant_of.hpp"
-#include "thinbench/thinning.hpp"
+#include "thinbench/midpoint_scan.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -67,6 +67,16 @@ TEST(ReferenceMidpointScan, marks_the_middle_of_each_run_or_the_first_of_two) {
   }
 }
 
+/// Calls `check(state, name)` for a new state of each variant that can run here.
+template <class Check>
+void for_each_state(const MidpointParameters& parameters, Index width, Index height, int threads,
+                    const Check& check) {
+  for (const auto& variant : study::midpoint_operation().variants) {
+    if (!unavailable_reason(variant, width).empty()) continue;
+    check(*make_state(variant, width, height, parameters, threads), name_of(variant));
+  }
+}
+
 TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directions_and_border) {
   constexpr Index height = 150;
   for (const Index width : {70, 511, 512, 600}) {
@@ -77,9 +87,9 @@ TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directio
       const Directions directions = {static_cast<std::uint8_t>(bits % 16)};
       const Border border = bits < 16 ? Border::background : Border::keep;
       reference::midpoint_scan(directions, border, image.view(), expected.view());
-      for_each_state(detail::thinning_parameters(Rule(directions), {border}), width, height, 3,
-                     [&](ThinningState& state, const std::string& name) {
-                       EXPECT_EQ(state.run(image.view(), found.view()), 1);
+      for_each_state({directions, border}, width, height, 3,
+                     [&](MidpointState& state, const std::string& name) {
+                       state.run(image.view(), found.view());
                        EXPECT_TRUE(equal(found.view(), expected.view()))
                            << name << ", " << width << " wide, set " << bits;
                      });
@@ -96,13 +106,22 @@ TEST(MidpointScan, every_variant_equals_the_reference_on_runs_longer_than_short_
     ByteImage expected(width, height);
     ByteImage found(width, height);
     reference::midpoint_scan(Directions{}, Border::background, full.view(), expected.view());
-    for_each_state(detail::thinning_parameters(Rule::midpoint_scan, {}), width, height, 1,
-                   [&](ThinningState& state, const std::string& name) {
+    for_each_state({{}, Border::background}, width, height, 1,
+                   [&](MidpointState& state, const std::string& name) {
                      state.run(full.view(), found.view());
                      EXPECT_TRUE(equal(found.view(), expected.view()))
                          << name << ", " << full.width();
                    });
   }
+}
+
+TEST(MidpointScan, may_be_in_place_and_takes_images_without_pixels) {
+  ByteImage image = noise_image(70, 30, 75, 4, 2);
+  ByteImage expected(70, 30);
+  reference::midpoint_scan({}, Border::keep, image.view(), expected.view());
+  midpoint_scan(image.view(), image.view(), {}, Border::keep);
+  EXPECT_TRUE(equal(image.view(), expected.view()));
+  midpoint_scan({nullptr, 0, 5}, {nullptr, 0, 5});
 }
 
 /// The number of steps until the counter returns to its first state.

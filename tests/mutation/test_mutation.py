@@ -175,7 +175,7 @@ def test_an_interrupted_run_goes_on(
     monkeypatch.setattr(run, "read_equivalents", lambda _: {})
     for count, killed in ((5, 5), (2, 7), (9, 8)):
         monkeypatch.setattr(run, "prepare", lambda *_, count=count: FakeTrial(count))
-        assert main(["--family", "spta", "-n", "8", "--directory", str(tmp_path)]) == 0
+        assert main(["--family", "path", "-n", "8", "--directory", str(tmp_path)]) == 0
         assert f"killed: {killed} of {killed}, 100.0 %" in capsys.readouterr().out
 
 

@@ -173,7 +173,7 @@ TEST(ParallelRules, are_visited_in_the_order_of_the_catalogue_and_have_circuits)
   for_each_parallel_rule([&]<class Type>(BuiltInRule rule) { rules.push_back(rule); });
   std::vector<BuiltInRule> with_circuits;
   for (const RuleInfo& info : kRules) {
-    if (Rule(info.rule).body()->circuits == info.rule) with_circuits.push_back(info.rule);
+    if (detail::body_of(info.rule)->circuits == info.rule) with_circuits.push_back(info.rule);
   }
   EXPECT_EQ(rules, with_circuits);
   EXPECT_GE(rules.size(), 6U);
@@ -196,7 +196,7 @@ void expect_background_is_kept() {
 TEST(ParallelRules, have_the_reach_of_their_sub_iterations) {
   for_each_parallel_rule([]<class Type>(BuiltInRule rule) {
     const int per_sub_iteration = TwoStageRule<Type> ? 2 : 1;
-    EXPECT_EQ(rule_info(rule).reach, Type::kSubIterations * per_sub_iteration) << rule_name(rule);
+    EXPECT_EQ(Rule(rule).reach(), Type::kSubIterations * per_sub_iteration) << rule_name(rule);
   });
 }
 

@@ -1,5 +1,7 @@
 // The documented properties of the rules: topology, idempotence, subset, symmetry.
 #include <optional>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -7,7 +9,7 @@
 #include "support/five_by_five.hpp"
 #include "support/made_image.hpp"
 #include "support/property_images.hpp"
-#include "support/rule_parameters.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench {
 namespace {
@@ -20,23 +22,63 @@ ByteImage rotated(const ByteImage& image) {
                   [&](Index x, Index y) { return image.at(y, image.height() - 1 - x); });
 }
 
-/// All but the midpoint scan, which has none of these properties, and the nets.
-std::vector<BuiltInRule> rules_without_nets() {
-  std::vector<BuiltInRule> rules;
-  for (const RuleInfo& info : kRules) {
-    if (info.rule == Rule::midpoint_scan) break;
-    rules.push_back(info.rule);
+struct TestedRule {
+  std::string name;
+  Rule rule;
+};
+
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's name
+void PrintTo(const TestedRule& tested, std::ostream* out) {
+  *out << tested.name;
+}
+
+TestedRule spta() {
+  return {"spta", detail::study::make_rule(detail::study::StudyRule::spta)};
+}
+
+/// The product's, and sequential SPTA.
+std::vector<TestedRule> tested_rules() {
+  std::vector<TestedRule> rules;
+  for (const RuleInfo& info : kRules) rules.push_back({std::string(info.name), info.rule});
+  rules.push_back(spta());
+  return rules;
+}
+
+std::vector<TestedRule> rules_that_keep_topology() {
+  std::vector<TestedRule> rules = {spta()};
+  for (const BuiltInRule rule :
+       {Rule::guo_hall, Rule::guo_hall_skimage, Rule::spta_directional, Rule::mb2}) {
+    rules.push_back({std::string(rule_name(rule)), rule});
   }
   return rules;
 }
 
+std::string test_name(const testing::TestParamInfo<TestedRule>& tested) {
+  return tested.param.name;
+}
+
+/// By the product or, of sequential SPTA, by the study.
+void thin_to(const Rule& rule, const ConstImageView& image, const ImageView& skeleton) {
+  if (rule.name() == "spta") {
+    thin_by("bitpacked", rule, image, skeleton);
+  } else {
+    thin(rule, image, skeleton);
+  }
+}
+
+ByteImage skeleton_of(const Rule& rule, const ByteImage& image) {
+  ByteImage skeleton(image.width(), image.height());
+  thin_to(rule, image.view(), skeleton.view());
+  return skeleton;
+}
+
 /// The first image of 5 x 5 pixels whose topology the rule changes, as in image_of_bits(5, 5,
 /// code).
-std::optional<std::uint32_t> first_topology_change(BuiltInRule rule) {
+std::optional<std::uint32_t> first_topology_change(const Rule& rule) {
   Sheet sheet;
   for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
     sheet.fill(first);
-    thin(rule, sheet.view(), sheet.view());
+    thin_to(rule, sheet.view(), sheet.view());
     for (std::uint32_t i = 0; i < Sheet::kCells; ++i) {
       const Cell before = five_by_five::cell_of(first + i);
       const Cell after = sheet.cell(i);
@@ -47,46 +89,45 @@ std::optional<std::uint32_t> first_topology_change(BuiltInRule rule) {
   return std::nullopt;
 }
 
-class KeepsTopology : public testing::TestWithParam<BuiltInRule> {};
+class KeepsTopology : public testing::TestWithParam<TestedRule> {};
 
 TEST_P(KeepsTopology, on_all_five_by_five) {
-  EXPECT_EQ(first_topology_change(GetParam()), std::nullopt);
+  EXPECT_EQ(first_topology_change(GetParam().rule), std::nullopt);
 }
 
 TEST_P(KeepsTopology, on_noise_and_scenes) {
   for (const ByteImage& image : property_images()) {
-    const ByteImage skeleton = thinned(GetParam(), image);
+    const ByteImage skeleton = skeleton_of(GetParam().rule, image);
     EXPECT_EQ(region_counts(image), region_counts(skeleton));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology,
-                         testing::Values(Rule::guo_hall, Rule::guo_hall_skimage, Rule::spta,
-                                         Rule::spta_directional, Rule::mb2),
-                         rule_test_name);
+INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology, testing::ValuesIn(rules_that_keep_topology()),
+                         test_name);
 
-class EveryRule : public testing::TestWithParam<BuiltInRule> {};
+class EveryRule : public testing::TestWithParam<TestedRule> {};
 
 TEST_P(EveryRule, is_idempotent_and_gives_a_subset) {
   for (const ByteImage& image : property_images()) {
-    const ByteImage skeleton = thinned(GetParam(), image);
-    EXPECT_TRUE(equal(thinned(GetParam(), skeleton).view(), skeleton.view()));
+    const ByteImage skeleton = skeleton_of(GetParam().rule, image);
+    EXPECT_TRUE(equal(skeleton_of(GetParam().rule, skeleton).view(), skeleton.view()));
     EXPECT_EQ(pixels_outside(skeleton, image), 0);
   }
 }
 
 TEST_P(EveryRule, is_symmetric_under_quarter_turns_if_it_has_one_sub_iteration) {
-  const BuiltInRule rule = GetParam();
-  const bool expected = rule == Rule::naccache_shinghal || rule == Rule::mb2;
+  const auto& [name, rule] = GetParam();
+  const bool expected = name == "naccache_shinghal" || name == "mb2";
   bool symmetric = true;
   for (const ByteImage& image : property_images()) {
-    const ByteImage skeleton = thinned(rule, image);
-    symmetric = symmetric && equal(rotated(skeleton).view(), thinned(rule, rotated(image)).view());
+    const ByteImage skeleton = skeleton_of(rule, image);
+    symmetric =
+        symmetric && equal(rotated(skeleton).view(), skeleton_of(rule, rotated(image)).view());
   }
   EXPECT_EQ(symmetric, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(rules_without_nets()), rule_test_name);
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(tested_rules()), test_name);
 
 ByteImage block(Index width, Index height) {
   return image_by(width + 4, height + 4, [=](Index x, Index y) {
@@ -95,7 +136,7 @@ ByteImage block(Index width, Index height) {
 }
 
 std::size_t objects_after(BuiltInRule rule, const ByteImage& image) {
-  return region_counts(thinned(rule, image)).objects;
+  return region_counts(skeleton_of(rule, image)).objects;
 }
 
 TEST(Rules, zhang_suen_removes_a_two_by_two_block_and_guo_hall_keeps_one_object) {

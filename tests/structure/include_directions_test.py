@@ -26,7 +26,7 @@ ALLOWED = {
     "compile": SCAN,
     "engines": COMPILE,
     "midpoints": ENGINES,
-    "thinning": ENGINES | {"midpoints"},
+    "thinning": ENGINES,
     "binarise": BASE,
     "edges": BASE,
     "regions": BASE,

@@ -1,8 +1,7 @@
 // Thinning by the reference of a rule.
 #pragma once
 
-#include "compile/rule_body.hpp"
-#include "reference.hpp"
+#include "harness/families.hpp"
 #include "support/filled_image.hpp"
 
 namespace thinbench {
@@ -12,17 +11,14 @@ struct Thinned {
   int iterations;
 };
 
-/// By the reference of a built-in rule; by tables for others and with foreground outside.
+/// By the reference of the rule's name; by tables for others and with foreground outside.
 inline int thin_by_reference(const Rule& rule, const reference::Repetition& repetition,
                              const ConstImageView& image, const ImageView& skeleton) {
-  const auto built_in = rule_from_name(rule.name());
-  if (!built_in || repetition.border == Border::foreground) {
+  const auto function = reference_named(rule.name());
+  if (function == nullptr || repetition.border == Border::foreground) {
     return reference::apply_tables(rule.sub_iterations(), repetition, image, skeleton);
   }
-  if (*built_in == BuiltInRule::midpoint_scan) {
-    return reference::midpoint_scan(rule.body()->directions, repetition.border, image, skeleton);
-  }
-  return reference::thinning(*built_in)(repetition, image, skeleton);
+  return function(repetition, image, skeleton);
 }
 
 /// What is not given is the rule's own.

@@ -9,19 +9,22 @@
 #include <gtest/gtest.h>
 
 #include "harness/splitmix64.hpp"
-#include "thinbench/rule.hpp"
+#include "techniques/study_rules.hpp"
 
 namespace thinbench {
 
-inline std::vector<BuiltInRule> all_rules() {
-  std::vector<BuiltInRule> rules;
-  rules.reserve(kRules.size());
-  for (const RuleInfo& info : kRules) rules.push_back(info.rule);
+/// Those of the product and of the study.
+inline std::vector<Rule> all_rules() {
+  std::vector<Rule> rules;
+  for (const RuleInfo& info : kRules) rules.emplace_back(info.rule);
+  for (const auto& info : detail::study::kStudyRules) {
+    rules.push_back(detail::study::make_rule(info.rule));
+  }
   return rules;
 }
 
-inline std::string rule_test_name(const testing::TestParamInfo<BuiltInRule>& tested) {
-  return std::string(rule_name(tested.param));
+inline std::string rule_test_name(const testing::TestParamInfo<Rule>& tested) {
+  return std::string(tested.param.name());
 }
 
 /// Two sub-iterations that add pixels in one window of ten.
@@ -41,6 +44,11 @@ inline TwoLayerWeights damaged_net() {
   return weights;
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's name
+inline void PrintTo(const Rule& rule, std::ostream* out) {
+  *out << rule.name();
+}
+
 struct RuleAndBorder {
   std::string name;
   Rule rule;
@@ -52,20 +60,26 @@ inline void PrintTo(const RuleAndBorder& tested, std::ostream* out) {
   *out << tested.name << ", border " << border_name(tested.border);
 }
 
+/// Adds a rule with every border that it can have.
+inline void add_with_borders(const std::string& name, const Rule& rule,
+                             std::vector<RuleAndBorder>& all) {
+  for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+    if (border == Border::foreground && rule.sub_iterations().empty()) continue;
+    all.push_back({name, rule, border});
+  }
+}
+
 /// Built-in rules and some of every other kind, which end without a limit, with every border that
 /// they can have.
 inline std::vector<RuleAndBorder> rules_and_borders() {
   std::vector<RuleAndBorder> all;
   const auto add = [&](const std::string& name, const Rule& rule) {
-    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
-      if (border == Border::foreground && rule.sub_iterations().empty()) continue;
-      all.push_back({name, rule, border});
-    }
+    add_with_borders(name, rule, all);
   };
   for (const RuleInfo& info : kRules) add(std::string(info.name), info.rule);
   for (const char* name : {"dilate", "erode", "golay_l"}) add(name, Rule::named(name));
   add("adding_tables", adding_rule());
-  add("damaged_net", Rule(damaged_net(), Activation::sigmoid));
+  add("damaged_net", Rule::from_net(damaged_net(), Activation::sigmoid));
   return all;
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "techniques/thinning.hpp"
 #include "techniques/variants.hpp"
 
 namespace thinbench {
@@ -33,11 +32,8 @@ template <class Variant>
 /// All variants; of a complement the product's alone.
 [[nodiscard]] inline std::vector<detail::ThinningVariant> variants_of(
     const detail::ThinningParameters& parameters) {
-  std::vector<detail::ThinningVariant> variants;
-  if (!parameters.complemented) variants = detail::thinning_techniques(*parameters.rule).take();
-  const auto& own = detail::thinning_variants(*parameters.rule);
-  variants.insert(variants.end(), own.begin(), own.end());
-  return variants;
+  if (parameters.complemented) return detail::thinning_variants(*parameters.rule);
+  return detail::study::all_variants(*parameters.rule);
 }
 
 /// Thins by one technique.

@@ -11,6 +11,7 @@
 #include "rules/exponential.hpp"
 #include "support/isa_parameters.hpp"
 #include "techniques/neuron_values.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -45,12 +46,14 @@ float reference_value(Activation activation, int neuron, int descriptor) {
 /// The maximum distance from the reference over neurons [first, last) and all descriptors.
 int max_ulp_distance(const NetModel& model, void (*values_of)(const NetModel&, float*), int first,
                      int last) {
+  const Activation activation =
+      model.kind == NetKind::linear ? Activation::linear : Activation::sigmoid;
   std::vector<float> values(256 * (kHiddenNeurons + 1));
   values_of(model, values.data());
   int max_ulps = 0;
   for (int j = first; j < last; ++j) {
     for (int k = 0; k < 256; ++k) {
-      const float expected = reference_value(model.activation, j, k);
+      const float expected = reference_value(activation, j, k);
       const float found = values[static_cast<std::size_t>(256 * j + k)];
       max_ulps = std::max(max_ulps, ulp_distance(found, expected));
     }
@@ -59,7 +62,7 @@ int max_ulp_distance(const NetModel& model, void (*values_of)(const NetModel&, f
 }
 
 NetModel paper_model(Activation activation) {
-  const Rule rule(kPaperTwoLayer, activation);
+  const Rule rule = Rule::from_net(kPaperTwoLayer, activation);
   return make_net_model(kPaperTwoLayer, activation, rule.sub_iterations().front());
 }
 

@@ -9,15 +9,19 @@
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
-#include "techniques/net_model.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
+using detail::study::make_net;
+
+detail::NetModel model_of(const Rule& net) {
+  return dynamic_cast<const detail::study::NetBody&>(*detail::body_of(net)).model;
+}
+
 detail::NetModel linear_model(const TwoLayerWeights& weights) {
-  const Rule rule(weights, Activation::linear);
-  return detail::make_net_model(weights, Activation::linear, rule.sub_iterations().front());
+  return model_of(make_net(weights, Activation::linear));
 }
 
 TEST(NetModel, eight_bit_weights_are_exact_for_the_paper_s_linear_net) {
@@ -45,9 +49,8 @@ Outcome reference_outcome(const TwoLayerWeights& weights, Activation activation,
 /// Compares every available variant with the reference; without simd_fixed_point where no 8-bit
 /// weights are exact.
 void expect_every_variant_equals_reference(const TwoLayerWeights& weights, Activation activation) {
-  const Rule rule(weights, activation);
-  const bool is_exact = detail::make_net_model(weights, activation, rule.sub_iterations().front())
-                            .fixed_point_is_exact;
+  const Rule rule = make_net(weights, activation);
+  const bool is_exact = model_of(rule).fixed_point_is_exact;
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
   for (const Border border : {Border::background, Border::keep}) {
     const Outcome expected = reference_outcome(weights, activation, border, image.view());
@@ -87,15 +90,15 @@ TEST(Nets, every_variant_follows_other_weights_of_a_cluster) {
   const int iterations = reference::net_single_layer_cluster(damaged_cluster(), {Border::keep},
                                                              image.view(), expected.view());
   ByteImage found(130, 50);
-  for_each_state(detail::thinning_parameters(Rule(damaged_cluster()), {Border::keep}), 130, 50, 2,
-                 [&](detail::ThinningState& state, const std::string& name) {
+  for_each_state(detail::thinning_parameters(make_net(damaged_cluster()), {Border::keep}), 130, 50,
+                 2, [&](detail::ThinningState& state, const std::string& name) {
                    EXPECT_EQ(state.run(image.view(), found.view()), iterations) << name;
                    EXPECT_TRUE(equal(found.view(), expected.view())) << name;
                  });
 }
 
 TEST(MakeState, rejects_fixed_point_for_a_net_without_exact_eight_bit_weights) {
-  const Rule rule(inexact_in_eight_bits(), Activation::linear);
+  const Rule rule = make_net(inexact_in_eight_bits(), Activation::linear);
   ByteImage image(5, 5);
   EXPECT_EQ(rejection_of([&] { thin_by("simd_fixed_point", rule, image.view(), image.view()); }),
             "simd_fixed_point cannot run: no 8-bit weights reproduce the decisions of this net");

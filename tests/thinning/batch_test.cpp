@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "compile/rule_body.hpp"
 #include "engines/lanes.hpp"
 #include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
@@ -109,11 +108,6 @@ void expect_batch(const Rule& rule, Stack& source, const Thinning& thinning,
                     << expected.iterations;
 }
 
-bool is_parallel(const Rule& rule) {
-  return rule.body()->kind == detail::RuleKind::parallel;
-}
-
-/// At every ISA if the rule is parallel, else at the default.
 void expect_batch_at_every_isa(const Rule& rule, Stack& source,
                                const reference::Repetition& repetition, int threads) {
   Expected expected = expected_of(rule, repetition, source);
@@ -121,9 +115,9 @@ void expect_batch_at_every_isa(const Rule& rule, Stack& source,
   Execution execution = {.threads = threads};
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
-    if (is_parallel(rule)) execution.isa = isa;
+    execution.isa = isa;
     expect_batch(rule, source, thinning, execution, expected);
-    if (testing::Test::HasFatalFailure() || !execution.isa) return;
+    if (testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -131,8 +125,6 @@ class BatchOf : public testing::TestWithParam<RuleAndBorder> {
  protected:
   [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
   [[nodiscard]] static Border border() { return GetParam().border; }
-  /// Other rules thin the images one by one, by code that other tests verify.
-  [[nodiscard]] static bool has_lanes() { return is_parallel(rule()); }
 };
 
 /// To save time, a rule has one border at each width. Another test has all borders at some widths.
@@ -140,8 +132,7 @@ TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
   const Index borders = rule().sub_iterations().empty() ? 2 : 3;
   const Index first_width =
       1 + (static_cast<Index>(GetParam().name.size()) + static_cast<Index>(border())) % borders;
-  const Index step = has_lanes() ? borders : 19;
-  for (Index width = first_width; width <= detail::kMaxLaneWidth + 2; width += step) {
+  for (Index width = first_width; width <= detail::kMaxLaneWidth + 2; width += borders) {
     const std::uint64_t random = splitmix64(17, static_cast<std::uint64_t>(width));
     const Index height = 1 + static_cast<Index>(random % 70);
     const Index count = 1 + static_cast<Index>((random >> 16) % (width <= 64 ? 40 : 12));
@@ -158,8 +149,8 @@ TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
 TEST_P(BatchOf, narrow_and_low_images_equals_the_reference_at_every_limit) {
   for (const Index width : {1, 2, 3, 16, 17, 32, 33, 64, 65, 127, 128, 129}) {
     for (const Index height : {1, 2, 3, 28}) {
-      Stack source = random_stack(has_lanes() ? 19 : 5, width, height,
-                                  static_cast<std::uint64_t>(3 + 100 * width + height));
+      Stack source =
+          random_stack(19, width, height, static_cast<std::uint64_t>(3 + 100 * width + height));
       for (const int limit : {1, 2, 3, kUnlimited}) {
         expect_batch_at_every_isa(rule(), source, {border(), limit}, 1);
         if (HasFatalFailure()) return;
@@ -186,10 +177,7 @@ TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
 
 INSTANTIATE_TEST_SUITE_P(Rules, BatchOf, all_rules_and_borders(), rule_and_border_test_name);
 
-TEST(ThinningBatch, uses_lanes_for_parallel_rules_up_to_the_maximum_lane_width) {
-  for (const RuleInfo& info : kRules) {
-    EXPECT_EQ(ThinningBatch(info.rule, 40, 31).one_by_one(), !is_parallel(info.rule)) << info.name;
-  }
+TEST(ThinningBatch, uses_lanes_up_to_the_maximum_lane_width) {
   EXPECT_FALSE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth, 5).one_by_one());
   EXPECT_TRUE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth + 1, 5).one_by_one());
 }

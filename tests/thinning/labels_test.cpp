@@ -144,7 +144,7 @@ TEST(ThinLabels, rejects_rules_that_add_pixels_and_foreground_outside) {
     expect_rejected([&] { thin_labels(rule, image.view(), result.view(), {border}); }, part);
   };
   for (const auto& [name, rule, border] : rules_and_borders()) {
-    if (border != Border::foreground && !rule.body()->adds_pixels()) continue;
+    if (border != Border::foreground && !detail::body_of(rule)->adds_pixels()) continue;
     expect_rule_rejected(rule, border, "");
   }
   expect_rule_rejected(Rule::named("life"), Border::background,

@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/region_request.hpp"
+#include "cli/scan_request.hpp"
 #include "cli/tables.hpp"
 #include "cli/usage.hpp"
 #include "thinbench/regions.hpp"
@@ -76,13 +77,32 @@ class ThinningCompute {
 
 BatchOperation thinning_operation(const BatchOperationRequest& request) {
   ThinningRequest words = request.thinning;
-  words.other_operations = {kHoles, kEdges, kLocalise, kGraph};
+  words.other_operations = {kScanOperation, kHoles, kEdges, kLocalise, kGraph};
   for (const EdgeOperatorInfo& info : kEdgeOperators)
     words.other_operations.push_back(info.operation);
   const RequestedThinning thinning = requested_thinning(words);
   check_options(thinning);
   return {thinning.name + thinning_words(request.thinning) + thinning.contents,
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
+}
+
+BatchResult compute_scan(ByteImage grey, BatchRecord& record, const RequestedScan& scan,
+                         const BinariseOptions& options) {
+  BinaryImage binary = binarise(std::move(grey), options);
+  describe_regions(binary, options, {}, record);
+  scan.run(binary.image.view());
+  record.iterations = 1;
+  record.foreground_after = foreground_pixels(binary.image.view());
+  return {std::move(binary.image), {}};
+}
+
+BatchOperation scan_operation(const BatchOperationRequest& request) {
+  const auto compute = [scan = requested_scan(request.thinning), options = request.binarise](
+                           ByteImage grey, BatchRecord& record) {
+    return compute_scan(std::move(grey), record, scan, options);
+  };
+  return {std::string(kScanOperation) + thinning_words(request.thinning),
+          [compute] { return compute; }};
 }
 
 BatchResult compute_edges(ByteImage grey, BatchRecord& record, const BatchOperationRequest& request,
@@ -172,6 +192,7 @@ BatchOperation operation_of(const BatchOperationRequest& request) {
   if (makes_graphs(request)) return graph_operation(request);
   if (makes_regions(request)) return regions_operation(request);
   if (makes_edges(request)) return edges_operation(request);
+  if (makes_scan(request.thinning)) return scan_operation(request);
   return thinning_operation(request);
 }
 

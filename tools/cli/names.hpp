@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "thinbench/isa.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/options.hpp"
-#include "thinbench/rule.hpp"
 
 namespace thinbench {
 

@@ -41,9 +41,20 @@ void reject_other_commands(const std::string& word) {
   }
 }
 
+int run_scan(const RunOptions& options, const Console& console) {
+  const RequestedScan scan = requested_scan(options.thinning);
+  if (is_packed_run(options.packed, options.files.out)) {
+    throw UsageError(std::string(kScanOperation) + " does not take packed files");
+  }
+  const std::string summary = scan_image_file(scan, options.files, options.binarise, console);
+  summary_stream(console, options.files.out) << summary << '\n';
+  return kSuccess;
+}
+
 int run(const RunOptions& options, const Console& console) {
   reject_other_commands(options.thinning.rule);
   check_replaced(options.files.in, options.files.out);
+  if (makes_scan(options.thinning)) return run_scan(options, console);
   const RequestedThinning thinning = requested_thinning(options.thinning);
   check_options(thinning);
   if (is_tiff_run(options.packed, options.binarise, options.files)) {
@@ -64,6 +75,7 @@ Command add_run_command(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("run", "Thin an image file into another, or apply any rule");
   const auto options = std::make_shared<RunOptions>();
+  options->thinning.other_operations = {kScanOperation};
   app->add_option("RULE", options->thinning.rule,
                   "Operation ('thinbench list'), named rule ('thinbench rule --list'), Hensel's "
                   "notation such as B3/S23, or JSON file")

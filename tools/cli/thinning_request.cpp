@@ -62,6 +62,12 @@ NamedValue rule_of_file(const std::string& path, bool optimise) {
 
 /// Of a word that names nothing.
 [[noreturn]] void reject_rule(const std::string& word, std::vector<std::string_view> known) {
+  for (const std::string_view moved : {"spta", "thin_spta", "net_two_layer_rounded"}) {
+    if (word != moved) continue;
+    throw UsageError(word +
+                     " is a part of the study: 'thinbench-study pictures --image IMAGE "
+                     "--out DIRECTORY' writes what it makes of an image");
+  }
   const char* const kind = known.empty() ? "rule" : "operation";
   for (const RuleInfo& info : kRules) known.push_back(info.operation);
   for (const NamedRule& rule : named_rules()) known.push_back(rule.name);
@@ -91,45 +97,22 @@ NamedValue rule_of_word(const ThinningRequest& request) {
   return rule_of_name(request);
 }
 
-/// The directions named in a list such as "rows,columns".
-Directions directions_named(const NamedValue& rule, const std::string& list) {
-  if (rule.rule.name() != rule_name(Rule::midpoint_scan)) {
-    throw UsageError("--directions: " + rule.name + " is not a scan and has no directions");
-  }
-  Directions directions = kNoDirections;
-  std::size_t end = 0;
-  for (std::size_t start = 0; end != std::string::npos; start = end + 1) {
-    end = list.find(',', start);
-    const std::string name = list.substr(start, end - start);
-    if (name.empty()) {
-      throw UsageError("--directions: '" + list + "' has an empty name; known: " +
-                       enumeration({kDirectionNames.begin(), kDirectionNames.end()}));
-    }
-    const Direction direction = direction_named(name);
-    if (directions.has(direction)) {
-      throw UsageError(fmt::format("--directions: '{}' names {} twice", list, name));
-    }
-    directions.add(direction);
-  }
-  return directions;
-}
-
 /// The net with the weights in a file.
 Rule net_from_file(const NamedValue& rule, const std::string& path) {
-  if (!rule.rule.name().starts_with("net_")) {
+  if (!rule.name.starts_with("net_")) {
     throw UsageError("--weights: " + rule.name + " is not a net and has no weights");
   }
   const AnyWeights weights = read_weights(path);
-  const bool wants_cluster = rule.rule.name() == rule_name(Rule::net_single_layer_cluster);
+  const bool wants_cluster = rule.name == "net_single_layer_cluster";
   if (wants_cluster != std::holds_alternative<ClusterWeights>(weights)) {
     const std::string wanted = wants_cluster ? "cluster" : "two_layer";
     throw std::runtime_error(path + ": holds the wrong kind of weights; " + rule.name + " needs " +
                              wanted);
   }
-  if (wants_cluster) return Rule(std::get<ClusterWeights>(weights));
-  const bool is_linear = rule.rule.name() == rule_name(Rule::net_two_layer_linear);
-  return Rule(std::get<TwoLayerWeights>(weights),
-              is_linear ? Activation::linear : Activation::sigmoid);
+  if (wants_cluster) return Rule::from_net(std::get<ClusterWeights>(weights));
+  const bool is_linear = rule.name == "net_two_layer_linear";
+  return Rule::from_net(std::get<TwoLayerWeights>(weights),
+                        is_linear ? Activation::linear : Activation::sigmoid);
 }
 
 }  // namespace
@@ -166,17 +149,15 @@ RequestedThinning requested_thinning(const ThinningRequest& request) {
     rule.rule = net_from_file(rule, request.weights);
     rule.contents = contents_of(request.weights);
   }
-  if (!request.directions.empty()) rule.rule = Rule(directions_named(rule, request.directions));
+  if (!request.directions.empty()) {
+    throw UsageError("--directions: " + rule.name + " is not a scan and has no directions");
+  }
   return {rule.name, rule.contents, rule.rule, request.thinning, request.execution};
 }
 
 void check_options(const RequestedThinning& requested) {
-  const Thinning& thinning = requested.thinning;
-  if (thinning.max_iterations && requested.rule.name() == rule_name(Rule::midpoint_scan)) {
-    throw UsageError("--max-iterations: " + requested.name + " has no iterations");
-  }
   try {
-    const Thinner on_one_pixel(requested.rule, 1, 1, thinning);
+    const Thinner on_one_pixel(requested.rule, 1, 1, requested.thinning);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

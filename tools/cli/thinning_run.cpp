@@ -22,15 +22,31 @@ Index foreground_of(const PackedView& image) {
   return packed_foreground(image);
 }
 
-/// Thins in place.
-template <class View>
-std::string summary_of(const RequestedThinning& thinning, const View& image) {
+/// `apply` works in place and returns the number of iterations.
+template <class View, class Apply>
+std::string summary_of(std::string_view name, const View& image, const Apply& apply) {
   RunSummary summary{image.width, image.height, 0, foreground_of(image), 0, 0};
-  summary.milliseconds = milliseconds_of([&] {
-    summary.iterations = thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
-  });
+  summary.milliseconds = milliseconds_of([&] { summary.iterations = apply(image); });
   summary.foreground_after = foreground_of(image);
-  return thinning.name + ": " + text_of(summary);
+  return fmt::format("{}: {}", name, text_of(summary));
+}
+
+auto thinner_of(const RequestedThinning& thinning) {
+  return [&](const auto& image) {
+    return thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
+  };
+}
+
+template <class Apply>
+std::string apply_to_file(std::string_view name, const Apply& apply, const ThinningFiles& files,
+                          const BinariseOptions& binarise, const Console& console) {
+  check_extension(files.out);
+  std::ostringstream remarks;  // failures are one line, without them
+  ByteImage image = read_binary(files.in, binarise, &remarks);
+  std::string summary = summary_of(name, image.view(), apply);
+  write_grey(files.out, image.view());
+  console.err << remarks.str();
+  return summary;
 }
 
 }  // namespace
@@ -44,18 +60,21 @@ std::string text_of(const RunSummary& run) {
 
 std::string thin_image_file(const RequestedThinning& thinning, const ThinningFiles& files,
                             const BinariseOptions& binarise, const Console& console) {
-  check_extension(files.out);
-  std::ostringstream remarks;  // failures are one line, without them
-  ByteImage image = read_binary(files.in, binarise, &remarks);
-  std::string summary = summary_of(thinning, image.view());
-  write_grey(files.out, image.view());
-  console.err << remarks.str();
-  return summary;
+  return apply_to_file(thinning.name, thinner_of(thinning), files, binarise, console);
+}
+
+std::string scan_image_file(const RequestedScan& scan, const ThinningFiles& files,
+                            const BinariseOptions& binarise, const Console& console) {
+  const auto apply = [&](const ImageView& image) {
+    scan.run(image);
+    return 1;
+  };
+  return apply_to_file(kScanOperation, apply, files, binarise, console);
 }
 
 std::string thin_packed_image(const RequestedThinning& thinning, const PackedView& image,
                               const std::function<void()>& save) {
-  std::string summary = summary_of(thinning, image);
+  std::string summary = summary_of(thinning.name, image, thinner_of(thinning));
   save();
   return summary;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/scan_request.hpp"
 #include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
 #include "images/packed_file.hpp"
@@ -33,6 +34,9 @@ struct RunSummary {
 /// Remarks on the foreground go to the console.
 [[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning,
                                           const ThinningFiles& files,
+                                          const BinariseOptions& binarise, const Console& console);
+
+[[nodiscard]] std::string scan_image_file(const RequestedScan& scan, const ThinningFiles& files,
                                           const BinariseOptions& binarise, const Console& console);
 
 /// Thins an image in place, then calls `save`.

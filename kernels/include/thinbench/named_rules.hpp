@@ -32,6 +32,10 @@ struct NamedRule {
 /// loses at least one pixel: prune.
 ///
 /// life, Conway's game.
+///
+/// The nets of the paper, whose decisions are those of naccache_shinghal: net_two_layer_sigmoid and
+/// net_two_layer_linear with its weights, net_single_layer_cluster with trained ones, as it
+/// publishes none.
 [[nodiscard]] THINBENCH_API std::span<const NamedRule> named_rules();
 
 /// nullptr if there is no rule of this name.

@@ -1,4 +1,4 @@
-// The weights of the paper's nets as plain data. A Rule can be made of them.
+// The weights of the paper's nets as plain data. Rule::from_net makes a rule of them.
 #pragma once
 
 namespace thinbench {
@@ -52,30 +52,5 @@ inline constexpr TwoLayerWeights kPaperTwoLayer = {
      {{3.31F, 2.47F, 0.55F, -0.99F, 7.86F, 0.89F, -4.73F, -0.08F}, -4.75F},
      {{-1.11F, 0.72F, 6.8F, -1.31F, 2.96F, 2.56F, 2.03F, 1.94F}, -3.09F}},
     {{-19.88F, 18.22F, 14.24F, 11.98F, -13.4F, 15.2F, 8.96F, -11.04F}, -0.75F}};
-
-namespace detail {
-
-/// Rounds to the nearest integer, ties away from zero.
-constexpr float rounded_weight(float value) {
-  return static_cast<float>(static_cast<int>(value < 0 ? value - 0.5F : value + 0.5F));
-}
-
-constexpr Neuron rounded_weights(Neuron neuron) {
-  for (float& weight : neuron.weight) weight = rounded_weight(weight);
-  neuron.bias = rounded_weight(neuron.bias);
-  return neuron;
-}
-
-constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
-  for (Neuron& neuron : net.hidden) neuron = rounded_weights(neuron);
-  net.output = rounded_weights(net.output);
-  return net;
-}
-
-}  // namespace detail
-
-/// Table 1 rounded to integers, as the paper does for integer arithmetic: correct on 251 of the 256
-/// descriptors with the sigmoid and on 252 with the linear threshold.
-inline constexpr TwoLayerWeights kRoundedTwoLayer = detail::rounded_weights(kPaperTwoLayer);
 
 }  // namespace thinbench

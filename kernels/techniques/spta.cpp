@@ -14,11 +14,11 @@
 // About 50 and 75 operations per word. Words without foreground are skipped.
 //
 // Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
-#include "core/byte_image.hpp"
+#include "engines/iterate.hpp"
 #include "engines/plane_state.hpp"
-#include "engines/variants.hpp"
 #include "rules/built_in/neighbourhood.hpp"
 #include "simd/word.hpp"
+#include "techniques/thinning.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -83,113 +83,71 @@ Word top_bottom(Word candidates, const Neighbours& before, Neighbours now, bool 
   return (sets | (copies & from_west)) ^ kOddPixels;
 }
 
-struct Rows {
-  Word* before;  // the image before the iteration, surrounded by zero words and rows
-  Index before_stride;
-  BitPlaneView now;
-  Index words;
-  const Word* changing;  // the mask of pixels of a row that may change
-  Index first;           // rows [first, last) may change
-  Index last;
-};
-
-Index words_of(Index width) {
-  return (width + kWordBits - 1) / kWordBits;
-}
-
-template <SptaScan scan>
-Word run_row(const Rows& rows, Index y) {
-  const Word* before = rows.before + y * rows.before_stride;
-  Word* now = rows.now.row(y);
-  Word any = 0;
-  Word flagged = 0;
-  Word west = 0;  // the previous word before this scan
-  for (Index i = 0; i < rows.words; ++i) {
-    const Word pixels = now[i];
-    const bool flagged_before = (flagged >> 63) != 0;
-    flagged = 0;
-    if (pixels != 0) {
-      const Word candidates = pixels & rows.changing[i];
-      const Neighbours old = neighbours_of(before + i, rows.before_stride);
-      Neighbours current = neighbours_of(now + i, rows.now.stride);
-      if constexpr (scan == SptaScan::left_right) {
-        flagged = left_right(candidates, pixels, now + i, old, current);
-      } else {
-        current.n4 = pixels << 1 | west >> 63;
-        flagged = top_bottom(candidates, old, current, flagged_before);
-      }
-      now[i] = pixels & ~flagged;
-      any |= flagged;
-    }
-    west = pixels;
-  }
-  return any;
-}
-
-void copy(const Word* from, Word* to, Index words) {
-  for (Index i = 0; i < words; ++i) to[i] = from[i];
-}
-
-/// True if a pixel was flagged.
-bool iterate_once(const Rows& rows) {
-  const Index height = rows.now.height;
-  for (Index y = 0; y < height; ++y) {
-    copy(rows.now.row(y), rows.before + y * rows.before_stride, rows.words);
-  }
-  Word flagged = 0;
-  for (Index y = rows.first; y < rows.last; ++y) flagged |= run_row<SptaScan::left_right>(rows, y);
-  for (Index y = rows.first; y < rows.last; ++y) flagged |= run_row<SptaScan::top_bottom>(rows, y);
-  return flagged != 0;
-}
-
-/// Lays out `scratch`: the image before the iteration with its margin, then the mask `changing`.
-Index scratch_words(Index width, Index height) {
-  return (height + 3) * (words_of(width) + 2);
-}
-
-Rows rows_of(Border border, const BitPlaneView& image, Word* scratch) {
-  const Index count = scratch_words(image.width, image.height);
-  for (Index i = 0; i < count; ++i) scratch[i] = 0;
-  const Index words = words_of(image.width);
-  const Index stride = words + 2;
-  Word* changing = scratch + (image.height + 2) * stride;
-  for (Index i = 0; i < words; ++i) changing[i] = ~Word{0};
-  const bool keep = border == Border::keep;
-  if (keep && words > 0) {
-    changing[0] &= ~Word{1};
-    changing[words - 1] &= ~(Word{1} << ((image.width - 1) % kWordBits));
-  }
-  const Index margin = keep ? 1 : 0;
-  return {scratch + stride + 1, stride, image, words, changing, margin, image.height - margin};
-}
-
-/// Returns the number of iterations, including the last.
-int thin_spta(Border border, int max_iterations, const ConstBitPlaneView& source,
-              const BitPlaneView& target, Word* scratch) {
-  const Rows rows = rows_of(border, target, scratch);
-  for (Index y = 0; y < source.height; ++y) copy(source.row(y), target.row(y), rows.words);
-  int iterations = 1;
-  while (iterate_once(rows) && iterations < max_iterations) ++iterations;
-  return iterations;
-}
-
 class SptaState final : public PlaneState<Word> {
  public:
   explicit SptaState(const ThinningSetting& setting)
       : PlaneState(setting),
-        border_(setting.border),
+        rows_(changing_rows(setting.height, setting.border)),
         max_iterations_(setting.max_iterations),
-        scratch_(make_aligned<Word>(
-            static_cast<std::size_t>(scratch_words(setting.width, setting.height)))) {}
+        fixed_(fixed_pixels<Word>(setting.width, setting.border, false)),
+        before_(setting.width, setting.height) {}
 
   int compute() override {
-    return thin_spta(border_, max_iterations_, source(), planes.result.view(), scratch_.get());
+    const BitPlaneView now = planes.result.view();
+    copy_rows(source(), now, {0, now.height});
+    int iterations = 1;
+    while (iterate_once(now) && iterations < max_iterations_) ++iterations;
+    return iterations;
   }
 
  private:
-  Border border_;
+  /// True if a pixel was flagged.
+  bool iterate_once(const BitPlaneView& now) {
+    copy_rows<Word>(now, before_.view(), {0, now.height});
+    Word flagged = 0;
+    for (Index y = rows_.first; y < rows_.last; ++y) {
+      flagged |= run_row<SptaScan::left_right>(now, y);
+    }
+    for (Index y = rows_.first; y < rows_.last; ++y) {
+      flagged |= run_row<SptaScan::top_bottom>(now, y);
+    }
+    return flagged != 0;
+  }
+
+  template <SptaScan scan>
+  Word run_row(const BitPlaneView& image, Index y) {
+    const BitPlaneView before = before_.view();
+    const Word* const fixed = fixed_.view().data;
+    Word* const now = image.row(y);
+    Word any = 0;
+    Word flagged = 0;
+    Word west = 0;  // the previous word before this scan
+    for (Index i = 0; i < image.row_elements; ++i) {
+      const Word pixels = now[i];
+      const bool flagged_before = (flagged >> 63) != 0;
+      flagged = 0;
+      if (pixels != 0) {
+        const Word candidates = fixed == nullptr ? pixels : pixels & ~fixed[i];
+        const Neighbours old = neighbours_of(before.row(y) + i, before.stride);
+        Neighbours current = neighbours_of(now + i, image.stride);
+        if constexpr (scan == SptaScan::left_right) {
+          flagged = left_right(candidates, pixels, now + i, old, current);
+        } else {
+          current.n4 = pixels << 1 | west >> 63;
+          flagged = top_bottom(candidates, old, current, flagged_before);
+        }
+        now[i] = pixels & ~flagged;
+        any |= flagged;
+      }
+      west = pixels;
+    }
+    return any;
+  }
+
+  RowRange rows_;  // that may change
   int max_iterations_;
-  AlignedArray<Word> scratch_;
+  BitPlane fixed_;
+  BitPlane before_;  // the image before the iteration
 };
 
 }  // namespace

@@ -1,17 +1,15 @@
-#include "midpoints/variants.hpp"
+#include "midpoints/state.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "core/exported.hpp"
 #include "core/layout.hpp"
-#include "engines/plane_state.hpp"
-#include "midpoints/border.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-using State = std::unique_ptr<ThinningState>;
+using State = std::unique_ptr<MidpointState>;
 
 Index groups_of(Index rows) {
   return (rows + kGroupRows - 1) / kGroupRows;
@@ -19,11 +17,11 @@ Index groups_of(Index rows) {
 
 /// The scan on packed words, with buffers for the chosen directions. Threads share groups of rows
 /// and batches of columns.
-class ScanState final : public PlaneState<std::uint64_t> {
+class ScanState final : public MidpointPlanes<std::uint64_t> {
  public:
-  ScanState(const ScanKernels& kernels, const ThinningSetting& setting)
-      : PlaneState(setting), kernels_(kernels), border_(setting.border) {
-    work_.directions = setting.rule->directions;
+  ScanState(const ScanKernels& kernels, const MidpointSetting& setting)
+      : MidpointPlanes(setting), kernels_(kernels) {
+    work_.directions = setting.directions;
     if (setting.width == 0 || setting.height == 0) work_.directions = kNoDirections;
     for (const Direction direction : kAllDirections) {
       if (work_.directions.has(direction)) add_direction(direction, setting);
@@ -32,7 +30,8 @@ class ScanState final : public PlaneState<std::uint64_t> {
     work_.target = planes.result.view();
   }
 
-  int compute() override {
+  void mark() override {
+    const ThreadTeam& team = bands.threads();
     const Index groups = groups_of(work_.source.height);
     team.for_ranges(groups, [&](Index first, Index last) { kernels_.prepare(work_, first, last); });
     team.for_ranges(static_cast<Index>(tasks_.size()), [&](Index first, Index last) {
@@ -42,8 +41,6 @@ class ScanState final : public PlaneState<std::uint64_t> {
       }
     });
     team.for_ranges(groups, [&](Index first, Index last) { kernels_.merge(work_, first, last); });
-    apply_border(border_, work_.source, work_.target);
-    return 1;
   }
 
  private:
@@ -52,7 +49,7 @@ class ScanState final : public PlaneState<std::uint64_t> {
     Index first_word;
   };
 
-  void add_direction(Direction direction, const ThinningSetting& setting) {
+  void add_direction(Direction direction, const MidpointSetting& setting) {
     const Index width = setting.width;
     const Index height = setting.height;
     if (direction == Direction::rows) {
@@ -100,20 +97,19 @@ class ScanState final : public PlaneState<std::uint64_t> {
 
   const ScanKernels& kernels_;
   ScanWork work_;
-  Border border_;
   std::vector<AlignedArray<std::uint64_t>> memory_;
   std::vector<Task> tasks_;
 };
 
 }  // namespace
 
-State make_midpoint_scan(const ScanKernels& kernels, const ThinningSetting& setting) {
+State make_midpoint_scan(const ScanKernels& kernels, const MidpointSetting& setting) {
   return std::make_unique<ScanState>(kernels, setting);
 }
 
 namespace {
 
-State make_simd_scan(const ThinningSetting& setting) {
+State make_simd_scan(const MidpointSetting& setting) {
   return make_midpoint_scan(kernels_of<ScanKernels>(setting.isa), setting);
 }
 
@@ -121,12 +117,32 @@ State make_simd_scan(const ThinningSetting& setting) {
 
 // Why there is no look-up table and no SIMD on bytes:
 // docs/experiments.md#midpoint-scan.
-std::vector<ThinningVariant> midpoint_variants() {
-  ThinningVariants list;
-  for (const Isa isa : all_isas()) {
-    list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
-  }
-  return list.take();
+const MidpointOperation& midpoint_operation() {
+  static const auto& operation = kept([] {
+    VariantList<MidpointState> list;
+    for (const Isa isa : all_isas()) {
+      list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
+    }
+    return MidpointOperation{{},
+                             "skeleton_scan",
+                             "the paper's own method: midpoints of foreground runs along rows, "
+                             "columns and both diagonals",
+                             list.take()};
+  }());
+  return operation;
+}
+
+void MidpointState::check(const MidpointParameters& parameters, Index width, Index height) {
+  require_max_pixels(width, height);
+  const Directions directions = parameters.directions;
+  require(directions.bits >> kDirectionCount == 0, [&] {
+    return "directions: expected bits in [0, 15], got " + std::to_string(directions.bits);
+  });
+  const Border border = parameters.border;
+  require(border == Border::background || border == Border::keep, [&] {
+    return "border: expected background or keep, got " +
+           (border == Border::foreground ? "foreground" : std::to_string(static_cast<int>(border)));
+  });
 }
 
 }  // namespace thinbench::detail
