@@ -7,12 +7,10 @@
 #include "harness/families.hpp"
 #include "reference.hpp"
 #include "techniques/variants.hpp"
-#include "thinbench/batch.hpp"
+#include "thinbench/many.hpp"
 
 namespace thinbench {
 namespace {
-
-using detail::ThinningVariant;
 
 struct BatchRule {
   BuiltInRule rule;
@@ -78,23 +76,11 @@ JobMaker reference_of(BuiltInRule rule) {
   };
 }
 
-/// The library's choice on one thread where `cap` is the highest ISA.
-const ThinningVariant& best_variant(BuiltInRule rule, Isa cap, Index width) {
-  const ThinningVariant* best = nullptr;
-  for (const ThinningVariant& variant : detail::study::operation_of(rule).variants) {
-    if (variant.threaded || variant.isa > cap || !unavailable_reason(variant, width).empty()) {
-      continue;
-    }
-    if (best == nullptr || variant.priority > best->priority) best = &variant;
-  }
-  return *best;  // scalar code takes every width
-}
-
-JobMaker one_by_one(BuiltInRule rule, Isa cap) {
-  return [rule, cap](Index width, Index height, int) {
+JobMaker one_by_one(BuiltInRule rule, Isa highest) {
+  return [rule, highest](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const std::shared_ptr<detail::ThinningState> state = make_state(
-        best_variant(rule, cap, side), side, side, detail::thinning_parameters(rule, {}), 1);
+    const std::shared_ptr<detail::ThinningState> state =
+        detail::make_thinning({rule, {}, {.isa = highest}}, side, side);
     return std::make_unique<StackJob>(
         one_by_one([state](const ConstImageView& source, const ImageView& destination) {
           return state->run(source, destination);
@@ -105,11 +91,11 @@ JobMaker one_by_one(BuiltInRule rule, Isa cap) {
 JobMaker batch(BuiltInRule rule, Isa isa) {
   return [rule, isa](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const auto batch =
-        std::make_shared<ThinningBatch>(rule, side, side, Thinning{}, Execution{.isa = isa});
+    const auto thinner =
+        std::make_shared<StackThinner>(rule, side, side, Thinning{}, Execution{.isa = isa});
     return std::make_unique<StackJob>(
-        [batch](const ConstStackView& source, const StackView& destination) {
-          return (*batch)(source, destination);
+        [thinner](const ConstStackView& source, const StackView& destination) {
+          return (*thinner)(source, destination);
         });
   };
 }

@@ -4,8 +4,8 @@
 
 #include "harness/families.hpp"
 #include "reference.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {

@@ -13,7 +13,7 @@
 
 #include "core/checks.hpp"
 #include "thinbench.h"
-#include "thinbench/batch.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
 #include "thinning/operations.hpp"

@@ -3,10 +3,9 @@
 
 #include "api/c_arguments.hpp"
 #include "core/checks.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/many.hpp"
 
 struct thinbench_thinner {
   thinbench::Thinner thinner;
@@ -33,28 +32,20 @@ Stack part_of(Stack stack, Index first, Index last) {
   return stack;
 }
 
-/// A number of threads for which each has enough images.
-int useful_threads(Index images, int threads) {
-  constexpr Index images_per_thread = 16;
-  return static_cast<int>(std::clamp<Index>((images - 1) / images_per_thread + 1, 1, threads));
-}
-
 /// Thins a stack in parts that stay in the cache until their foreground has its value.
-int run_stack(ThinningCall call, const ConstStackView& source, const StackView& destination,
+int run_stack(const ThinningCall& call, const ConstStackView& source, const StackView& destination,
               const thinbench_output* output) {
   constexpr Index part_bytes = Index{1} << 18;
   check_views(source, destination, InPlace::allowed);
-  require_threads(call.execution.threads);
-  call.execution.threads = useful_threads(source.count, call.execution.threads);
-  ThinningBatch batch(call.rule, source.width, source.height, call.thinning, call.execution);
-  if (source.width == 0 || source.height == 0) return batch(source, destination);
+  StackThinner thinner(call.rule, source.width, source.height, call.thinning, call.execution);
+  if (source.width == 0 || source.height == 0) return thinner(source, destination);
   const Index image_bytes = std::max<Index>(1, source.height * source.stride);
   const Index part = std::max<Index>(16, part_bytes / image_bytes * call.execution.threads);
   int iterations = 0;
   for (Index first = 0; first < source.count; first += part) {
     const Index last = std::min(first + part, source.count);
     const StackView written = part_of(destination, first, last);
-    iterations = std::max(iterations, batch(part_of(source, first, last), written));
+    iterations = std::max(iterations, thinner(part_of(source, first, last), written));
     set_foreground(output, written);
   }
   return iterations;
@@ -87,13 +78,15 @@ thinbench_status thinbench_thin_many(const thinbench_rule* rule, const thinbench
     }
     std::vector<ConstImageView> from;
     std::vector<ImageView> to;
-    std::vector<std::uint8_t> foregrounds;
     for (size_t i = 0; i < count; ++i) {
       from.push_back(image_of(&sources[i]));
       to.emplace_back(destinations[i].data, from[i].width, from[i].height, destinations[i].stride);
-      foregrounds.push_back(foreground_of(destinations[i]));
     }
-    const int maximum = thin_list(call_of(rule, thinning, execution), {from, to, foregrounds});
+    const ThinningCall call = call_of(rule, thinning, execution);
+    const int maximum = thin_many(call.rule, from, to, call.thinning, call.execution);
+    for (size_t i = 0; i < count; ++i) {
+      set_foreground(&destinations[i], {to[i].data, 1, to[i].width, to[i].height, to[i].stride, 0});
+    }
     if (iterations != nullptr) *iterations = maximum;
   });
 }
@@ -104,8 +97,8 @@ thinbench_status thinbench_thin_packed(const thinbench_rule* rule, const thinben
                                        const thinbench_execution* execution, int32_t* iterations) {
   return guarded([&] {
     const PackedViews views = packed_views(source, destination, destination_stride);
-    const int count = thin(rule_of(rule), views.source, views.destination, thinning_of(thinning),
-                           execution_of(execution));
+    const int count = thin_packed(rule_of(rule), views.source, views.destination,
+                                  thinning_of(thinning), execution_of(execution));
     if (iterations != nullptr) *iterations = count;
   });
 }
@@ -144,14 +137,6 @@ thinbench_status thinbench_thinner_run(thinbench_thinner* thinner, const thinben
     set_foreground(destination, to);
     if (iterations != nullptr) *iterations = count;
   });
-}
-
-const char* thinbench_thinner_technique(const thinbench_thinner* thinner) {
-  return thinner == nullptr ? nullptr : thinner->thinner.technique().data();
-}
-
-const char* thinbench_thinner_isa(const thinbench_thinner* thinner) {
-  return thinner == nullptr ? nullptr : isa_name(thinner->thinner.isa()).data();
 }
 
 void thinbench_thinner_destroy(thinbench_thinner* thinner) {

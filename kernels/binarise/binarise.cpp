@@ -115,7 +115,7 @@ Binarised binarise(ConstImageView grey, ImageView destination, const Binarisatio
                    const Execution& execution) {
   detail::check_views(grey, destination, detail::InPlace::allowed);
   check(request);
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   Binarised result;
   result.threshold = request.threshold.value_or(1);
   if (request.foreground == Foreground::dark) result.foreground = Foreground::dark;

@@ -104,7 +104,7 @@ void check(const ConstColourView& colours, const ImageView& destination, Channel
 Channel select_channel(ConstColourView colours, ImageView destination, Channel channel,
                        const Execution& execution) {
   check(colours, destination, channel);
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   if (channel == Channel::grey || !has_colours(colours)) channel = Channel::grey;
   if (channel == Channel::automatic) channel = best_channel(colours, destination);
   write_channel(colours, destination, channel);

@@ -162,7 +162,7 @@ void DistanceState::check(const DistanceParameters&, Index width, Index height) 
 }
 
 const DistanceOperation& distance_operation() {
-  static const auto& operation = kept<DistanceOperation>(
+  static const auto& operation = never_destroyed<DistanceOperation>(
       {{}, "squared_distances", "squares of Euclidean distances to the background", [] {
          VariantList<DistanceState> list;
          for (const Isa isa :

@@ -73,7 +73,7 @@ std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
 }  // namespace
 
 std::span<const EdgeOperation> edge_operations() {
-  static const auto& all = kept([] {
+  static const auto& all = never_destroyed([] {
     std::vector<EdgeOperation> operations;
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
       operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});

@@ -77,7 +77,7 @@ typedef struct thinbench_thinning {
 typedef struct thinbench_execution {
   size_t size;     /* of this struct */
   int32_t threads; /* 1 to 1024 */
-  const char* isa; /* NULL: the best that this machine has */
+  const char* isa; /* the highest to use; NULL: the highest that this machine has */
 } thinbench_execution;
 
 #define THINBENCH_EXECUTION_INIT \
@@ -224,9 +224,6 @@ THINBENCH_API thinbench_status thinbench_thinner_run(thinbench_thinner* thinner,
                                                      const thinbench_stack* source,
                                                      const thinbench_output* destination,
                                                      int32_t* iterations);
-/* What was chosen; valid as long as the program. */
-THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* thinner);
-THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
 

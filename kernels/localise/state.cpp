@@ -24,7 +24,7 @@ void LocaliseState::run(const ConstImageView& source, Regions& found) {
 }
 
 const LocaliseOperation& localise_operation() {
-  static const auto& operation = kept<LocaliseOperation>(
+  static const auto& operation = never_destroyed<LocaliseOperation>(
       {EdgeOperator::sobel, "localise_objects",
        "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
        [] {

@@ -37,9 +37,9 @@ std::vector<Variant<State>> variants_with(Features used, std::string_view of_bas
 }
 
 std::vector<Variant<LabelState>> label_variants() {
-  return variants_with<LabelState>(feature("popcnt") | feature("avx2") | feature("avx512bw") |
-                                       feature("avx512vpopcntdq"),
-                                   "bitpacked_contacts", "simd_contacts");
+  return variants_with<LabelState>(
+      feature("popcnt") | feature("avx2") | feature("avx512bw") | feature("avx512vpopcntdq"),
+      "bitpacked_contacts", "simd_contacts");
 }
 
 std::vector<Variant<FillState>> fill_variants() {
@@ -97,7 +97,7 @@ FillState::FillState(const FillSetting& setting)
       filled_(setting.width, setting.height) {}
 
 std::span<const ListOperation> list_operations() {
-  static const auto& operations = kept(std::vector<ListOperation>{
+  static const auto& operations = never_destroyed(std::vector<ListOperation>{
       {true, "holes", "objects (8-connected) and their holes, with areas and centres",
        list_variants()},
       {false, "components", "objects (8-connected) alone, with areas and centres",
@@ -106,7 +106,7 @@ std::span<const ListOperation> list_operations() {
 }
 
 std::span<const LabelOperation> label_operations() {
-  static const auto& operations = kept(std::vector<LabelOperation>{
+  static const auto& operations = never_destroyed(std::vector<LabelOperation>{
       {LabelTask::image_eight, "label_image", "label image of 8-connected objects",
        label_variants()},
       {LabelTask::image_four, "label_image_4", "label image of 4-connected objects",
@@ -122,7 +122,7 @@ std::span<const LabelOperation> label_operations() {
 }
 
 std::span<const EulerOperation> euler_operations() {
-  static const auto& operations = kept(std::vector<EulerOperation>{
+  static const auto& operations = never_destroyed(std::vector<EulerOperation>{
       {Connectivity::eight, "euler_number", "8-connected objects minus 4-connected holes",
        euler_variants()},
       {Connectivity::four, "euler_number_4", "4-connected objects minus 8-connected holes",
@@ -131,7 +131,7 @@ std::span<const EulerOperation> euler_operations() {
 }
 
 std::span<const FillOperation> fill_operations() {
-  static const auto& operations = kept(std::vector<FillOperation>{
+  static const auto& operations = never_destroyed(std::vector<FillOperation>{
       {Connectivity::eight, "fill_holes",
        "objects with all that they enclose, interior contours filled", fill_variants()},
       {Connectivity::four, "fill_holes_4", "4-connected objects with all that they enclose",
