@@ -214,7 +214,7 @@ Operation euler_operation(const detail::EulerOperation& table) {
 }
 
 Operation fill_operation(const detail::FillOperation& table) {
-  Operation result = operation_of_table<FillStateJob>(table, detail::FillParameters{table.key});
+  Operation result = operation_of_table<FillStateJob>(table, HoleFilling{table.key});
   const bool eight = table.key == Connectivity::eight;
   if (eight) {
     add_technique(result, "union_find", false, [](Index width, Index height, int) {

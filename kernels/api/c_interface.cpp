@@ -144,7 +144,7 @@ thinbench_status thinbench_label_components(const thinbench_stack* source, int32
     *regions = nullptr;
     const ConstImageView image = image_of(source);
     const LabelView view = {labels, image.width, image.height, labels_stride};
-    hand_over({label_components(image, view, connectivity_of(connectivity), order_of(order),
+    hand_over({label_objects(image, view, connectivity_of(connectivity), order_of(order),
                                 execution_of(execution)),
                {}},
               regions);
@@ -203,7 +203,7 @@ thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
     detail::require_connectivity(connectivity);
     const Execution given = execution_of(execution);
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
-      fill_holes(from, to, static_cast<Connectivity>(connectivity), max_area, given);
+      fill_holes(from, to, {static_cast<Connectivity>(connectivity), max_area}, given);
     });
   });
 }
@@ -214,9 +214,9 @@ thinbench_status thinbench_fill_label_holes(const int32_t* source, ptrdiff_t sou
                                             int64_t max_area,
                                             const thinbench_execution* execution) {
   return guarded([&] {
-    fill_label_holes({source, width, height, source_stride},
-                     {destination, width, height, destination_stride},
-                     connectivity_of(connectivity), max_area, execution_of(execution));
+    fill_holes_of_labels({source, width, height, source_stride},
+                         {destination, width, height, destination_stride},
+                         {connectivity_of(connectivity), max_area}, execution_of(execution));
   });
 }
 

@@ -12,7 +12,8 @@ std::unique_ptr<LocaliseState> make_state(const LocaliseSetting& setting) {
 }  // namespace
 
 LocaliseState::LocaliseState(const LocaliseSetting& setting)
-    : edges_(setting),
+    : conversion_(plane_conversion<std::uint64_t>(setting.isa)),
+      edges_(setting),
       outlined_(setting.isa, setting.width, setting.height),
       objects_(setting.width, setting.height),
       regions_(kernels_of<RunEngine>(setting.isa), true, setting.isa, setting.width, setting.height,

@@ -85,15 +85,15 @@ std::int64_t EulerState::count(const ConstBitPlaneView& image) const {
   return number;
 }
 
-void FillState::check(const FillParameters& parameters, Index width, Index height) {
+void FillState::check(const HoleFilling& filling, Index width, Index height) {
   require_regions_size(width, height);
-  require_max_area(parameters.max_area);
+  require_filling(filling);
 }
 
 FillState::FillState(const FillSetting& setting)
     : conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       image_(setting.isa, setting.width, setting.height),
-      filler_(setting.isa, setting.objects, setting.max_area),
+      filler_(setting.isa, setting),
       filled_(setting.width, setting.height) {}
 
 std::span<const ListOperation> list_operations() {
@@ -152,14 +152,15 @@ const EulerOperation& operation_of(const EulerParameters& parameters) {
   return operation_with(parameters.objects, euler_operations(), "objects");
 }
 
-const FillOperation& operation_of(const FillParameters& parameters) {
-  require_connectivity(static_cast<int>(parameters.objects));
-  return operation_with(parameters.objects, fill_operations(), "objects");
+const FillOperation& operation_of(const HoleFilling& filling) {
+  require_filling(filling);
+  return operation_with(filling.objects, fill_operations(), "objects");
 }
 
-void require_max_area(std::int64_t max_area) {
-  require(max_area >= 0,
-          [&] { return "max_area: expected at least 0, got " + std::to_string(max_area); });
+void require_filling(const HoleFilling& filling) {
+  require_connectivity(static_cast<int>(filling.objects));
+  require(filling.max_area >= 0,
+          [&] { return "max_area: expected at least 0, got " + std::to_string(filling.max_area); });
 }
 
 }  // namespace thinbench::detail

@@ -122,13 +122,13 @@ void call_all(Index width, Index height) {
   }
   thin_labels(Rule::guo_hall, labels, labels, {}, {.threads = 2});
   static_cast<void>(find_regions(source, {.threads = 2}));
-  static_cast<void>(find_components(source));
+  static_cast<void>(find_objects(source));
   static_cast<void>(euler_number(source));
   static_cast<void>(euler_number(source, Connectivity::four));
   fill_holes(source, destination);
   label_regions(source, labels);
-  label_components(source, labels, Connectivity::four);
-  label_components(source, labels, Connectivity::eight);
+  label_objects(source, labels, Connectivity::four);
+  label_objects(source, labels, Connectivity::eight);
   label_image(source, labels, Connectivity::eight);
   for (const EdgeOperatorInfo& info : kEdgeOperators) detect_edges(info.op, source, destination);
   static_cast<void>(localise_objects(source));
@@ -193,7 +193,7 @@ void call_on(const ByteImage& image, ByteImage& out, const Execution& thinning =
   thin(Rule::guo_hall, image.view(), out.view(), {}, thinning);
   fill_holes(image.view(), out.view());
   detect_edges(EdgeOperator::sobel, image.view(), out.view());
-  static_cast<void>(find_components(image.view()));
+  static_cast<void>(find_objects(image.view()));
 }
 
 class KeptMemory : public IsaTest {};

@@ -48,13 +48,13 @@ const std::vector<Operation>& operations() {
        [](Source from, Destination to, How how) { thin(Rule::guo_hall, from, to, {}, how); }},
       {"midpoint_scan", [](Source from, Destination to,
                            How how) { midpoint_scan(from, to, {}, Border::background, how); }},
-      {"fill_holes", [](Source from, Destination to, How how) { fill_holes(from, to, how); }},
+      {"fill_holes", [](Source from, Destination to, How how) { fill_holes(from, to, {}, how); }},
       {"fill_holes up to an area",
        [](Source from, Destination to, How how) {
-         fill_holes(from, to, Connectivity::four, 3, how);
+         fill_holes(from, to, {Connectivity::four, 3}, how);
        }},
       {"localise_objects, written",
-       [](Source from, Destination to, How how) { (void)localise_objects(from, to, {}, how); }},
+       [](Source from, Destination to, How how) { (void)localise_objects(from, {}, how, to); }},
       {"detect_edges",
        [](Source from, Destination to, How how) {
          detect_edges(EdgeOperator::sobel, from, to, {}, how);
@@ -64,8 +64,8 @@ const std::vector<Operation>& operations() {
        [](Source from, Destination, How how) { (void)localise_objects(from, {}, how); }, false},
       {"find_regions", [](Source from, Destination, How how) { (void)find_regions(from, how); },
        false},
-      {"find_components",
-       [](Source from, Destination, How how) { (void)find_components(from, how); }, false},
+      {"find_objects",
+       [](Source from, Destination, How how) { (void)find_objects(from, how); }, false},
       {"euler_number",
        [](Source from, Destination, How how) { (void)euler_number(from, Connectivity::four, how); },
        false},
@@ -241,9 +241,9 @@ TEST(Enumerations, reject_values_outside_them) {
     expect_rejected([&] { midpoint_scan(image, image, {}, border); },
                     std::string("border: expected background or keep, got ") + name);
   }
-  expect_rejected([&] { fill_holes(image, image, static_cast<Connectivity>(6), 1); },
+  expect_rejected([&] { fill_holes(image, image, {static_cast<Connectivity>(6), 1}); },
                   "connectivity: expected 4 or 8, got 6");
-  expect_rejected([&] { fill_holes(image, image, Connectivity::four, -1); },
+  expect_rejected([&] { fill_holes(image, image, {Connectivity::four, -1}); },
                   "max_area: expected at least 0, got -1");
 }
 
@@ -319,7 +319,7 @@ TEST(Sizes, beyond_what_coordinates_can_hold_are_rejected) {
       "image size 0 x 536870913 has a side above 2^29 pixels");
   expect_rejected(
       [&] {
-        (void)find_components({memory.data(), 1 << 17, 1 << 17});
+        (void)find_objects({memory.data(), 1 << 17, 1 << 17});
       },
       "image size 131072 x 131072 is larger than 2^32 pixels");
   for (const auto& [width, height, part] : std::vector<std::tuple<Index, Index, std::string>>{

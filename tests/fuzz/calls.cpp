@@ -247,7 +247,7 @@ class Calls {
     reference::fill_label_holes({labels.data(), width, height}, {expected.data(), width, height},
                                 four, max_area);
     const LabelView view = {labels.data(), width, height};
-    fill_label_holes(view, view, four ? Connectivity::four : Connectivity::eight, max_area);
+    fill_holes_of_labels(view, view, {four ? Connectivity::four : Connectivity::eight, max_area});
     must(labels == expected, "filled labels differ from the reference");
   }
 
@@ -265,7 +265,7 @@ class Calls {
     must(labels == expected_labels, "labels differ");
     must(labelled.objects == expected.objects && labelled.holes == expected.holes,
          "labelled regions differ");
-    must(find_components(source.view(), execution) == expected.objects, "components differ");
+    must(find_objects(source.view(), execution) == expected.objects, "components differ");
     const Regions found = find_regions(source.view(), execution);
     must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
     must(euler_number(source.view(), Connectivity::eight, execution) ==
@@ -275,7 +275,7 @@ class Calls {
          "Euler numbers differ");
     ByteImage filled(size.width, size.height);
     reference::fill_holes(image.view(), filled.view());
-    fill_holes(source.view(), source.view(), execution);
+    fill_holes(source.view(), source.view(), {}, execution);
     must_be_equal(source.view(), filled.view(), "a filled image");
     source.must_be_intact();
   }
