@@ -3,9 +3,11 @@
 #include <functional>
 #include <utility>
 
+#include "core/exported.hpp"
 #include "engines/lanes.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "scan/built_in.hpp"
 #include "techniques/variants.hpp"
 #include "thinbench/many.hpp"
 
@@ -120,7 +122,7 @@ Operation operation_of(const BatchRule& batch_rule) {
                          InputKind::binary,
                          {},
                          reference_of(rule)};
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : detail::isas_of<detail::BuiltInScans>()) {
     operation.variants.push_back(
         variant_of("one_by_one", "image after image by the library's choice for one image", isa,
                    detail::kAnyWidth, 0, one_by_one(rule, isa)));

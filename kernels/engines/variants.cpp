@@ -1,6 +1,8 @@
 #include "engines/variants.hpp"
 
 #include "compile/machine_code.hpp"
+#include "core/exported.hpp"
+#include "engines/tile_passes.hpp"
 
 namespace thinbench::detail {
 
@@ -10,7 +12,7 @@ bool has_fixed_pixels(const ThinningParameters& parameters) {
 
 std::vector<ThinningVariant> parallel_variants(bool built_in, bool adds_pixels) {
   ThinningVariants list;
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<TileKernels>()) {
     if (!built_in) list.add_with_threads("simd_bitpacked", isa, &make_words, {kWordsPriority});
     if (built_in || (!adds_pixels && MachineCode::is_available(isa))) {
       list.add_with_threads("simd_bitpacked_tiles", isa, &make_tiles, {kTilesPriority});

@@ -48,7 +48,7 @@ const GraphOperation& graph_operation() {
   static const auto& operation = never_destroyed<GraphOperation>(
       {{}, "skeleton_graph", "ends, junctions and the lines between them", [] {
          VariantList<GraphState> list;
-         for (const Isa isa : all_isas()) {
+         for (const Isa isa : isas_of<GraphKernels>()) {
            list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
          }
          return list.take();

@@ -30,7 +30,9 @@ const LocaliseOperation& localise_operation() {
        "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
        [] {
          VariantList<LocaliseState> list;
-         for (const Isa isa : all_isas()) list.add_with_threads("simd_runs", isa, &make_state, {});
+         for (const Isa isa : isas_of<RunEngine, EdgeKernels>()) {
+           list.add_with_threads("simd_runs", isa, &make_state, {});
+         }
          return list.take();
        }()});
   return operation;

@@ -120,7 +120,7 @@ State make_simd_scan(const MidpointSetting& setting) {
 const MidpointOperation& midpoint_operation() {
   static const auto& operation = never_destroyed([] {
     VariantList<MidpointState> list;
-    for (const Isa isa : all_isas()) {
+    for (const Isa isa : isas_of<ScanKernels>()) {
       list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
     }
     return MidpointOperation{{},

@@ -1,5 +1,5 @@
 // Sums runs in vector lanes, one run per lane, while the runs of adjacent rows match one to one;
-// only runs near a change go through union-find. Compiled for every ISA.
+// only runs near a change go through union-find. Compiled per ISA.
 //
 // Most rows of an image of parts repeat the runs of the row above with slightly moved ends. Cost of
 // such a row, per vector of 4, 8 or 16 runs: 2 comparisons, 2 multiplications, 9 additions or

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/exported.hpp"
-#include "core/features.hpp"
+#include "regions/fill_kernels.hpp"
 #include "thinbench/enumeration.hpp"
 
 namespace thinbench::detail {
@@ -21,35 +21,33 @@ std::unique_ptr<ListState> make_lists(const ListSetting& setting) {
 
 std::vector<Variant<ListState>> list_variants() {
   VariantList<ListState> list;
-  for (const Isa isa : all_isas()) list.add_with_threads("simd_runs", isa, &make_lists, {2});
+  for (const Isa isa : isas_of<RunEngine>()) {
+    list.add_with_threads("simd_runs", isa, &make_lists, {2});
+  }
   return list.take();
 }
 
-/// A variant for the baseline, and one for each ISA that has more of the features.
-template <class State>
-std::vector<Variant<State>> variants_with(Features used, std::string_view of_baseline,
-                                          std::string_view of_others) {
+/// A variant for the baseline, and one for each other ISA that the kernels are compiled for.
+template <class State, class Kernels>
+std::vector<Variant<State>> variants_of(std::string_view of_baseline, std::string_view of_others) {
   VariantList<State> list;
-  for (const Isa isa : isas_with(used)) {
+  for (const Isa isa : isas_of<Kernels>()) {
     list.add(isa == Isa::baseline ? of_baseline : of_others, isa, &make<State>, {1});
   }
   return list.take();
 }
 
 std::vector<Variant<LabelState>> label_variants() {
-  return variants_with<LabelState>(
-      feature("popcnt") | feature("avx2") | feature("avx512bw") | feature("avx512vpopcntdq"),
-      "bitpacked_contacts", "simd_contacts");
+  return variants_of<LabelState, LabelEngine>("bitpacked_contacts", "simd_contacts");
 }
 
 std::vector<Variant<FillState>> fill_variants() {
-  return variants_with<FillState>(feature("bmi2") | feature("avx512bw") | feature("gfni"),
-                                  "bitpacked_flood", "simd_flood");
+  return variants_of<FillState, FloodKernels>("bitpacked_flood", "simd_flood");
 }
 
 std::vector<Variant<EulerState>> euler_variants() {
   VariantList<EulerState> list;
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<EulerKernels>()) {
     list.add_with_threads(isa == Isa::baseline ? "bitpacked" : "simd_bitpacked", isa,
                           &make<EulerState>, {1});
   }

@@ -88,7 +88,7 @@ struct LutPasses {
   static const PassesByRule<std::uint8_t> kLutSliding;
 };
 
-/// Compiled for every ISA.
+/// Compiled per ISA.
 struct AutovecPasses {
   PassesByRule<std::uint8_t> bytes;
 };
