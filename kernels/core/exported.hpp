@@ -39,8 +39,7 @@ template <class... Kernels>
 ///   template <>
 ///   constinit const SomeKernels Exported<SomeKernels, kThisIsa>::kKernels = {...};
 template <class Kernels, Isa isa>
-  requires(is_compiled_for<Kernels>(isa))
-struct Exported {
+requires(is_compiled_for<Kernels>(isa)) struct Exported {
   static const Kernels kKernels;
 };
 

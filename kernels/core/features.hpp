@@ -29,8 +29,7 @@ consteval Features feature(std::string_view name) {
 inline constexpr Features kSse42 = feature("sse4.2") | feature("popcnt");
 inline constexpr Features kAvx2 = kSse42 | feature("avx2") | feature("bmi") | feature("bmi2");
 inline constexpr Features kAvx512 = kAvx2 | feature("avx512f") | feature("avx512cd") |
-                                    feature("avx512dq") | feature("avx512bw") |
-                                    feature("avx512vl");
+                                    feature("avx512dq") | feature("avx512bw") | feature("avx512vl");
 inline constexpr Features kAvx512Icl = kAvx512 | feature("avx512vbmi") | feature("avx512vbmi2") |
                                        feature("avx512vnni") | feature("avx512bitalg") |
                                        feature("avx512vpopcntdq") | feature("gfni");

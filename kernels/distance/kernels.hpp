@@ -104,8 +104,8 @@ struct DistanceKernels {
   DistanceCopy copy;
 };
 template <>
-inline constexpr Features kGainsFrom<DistanceKernels> =
-    feature("sse4.2") | feature("avx2") | feature("avx512bw");
+inline constexpr Features kGainsFrom<DistanceKernels> = feature("sse4.2") | feature("avx2") |
+                                                        feature("avx512bw");
 
 /// By the lower envelope, in time linear in the width.
 void envelope_row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* distances,

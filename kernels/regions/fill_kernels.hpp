@@ -19,7 +19,7 @@ struct FloodKernels {
   FloodBackground eight;
 };
 template <>
-inline constexpr Features kGainsFrom<FloodKernels> =
-    feature("bmi2") | feature("avx512bw") | feature("gfni");
+inline constexpr Features kGainsFrom<FloodKernels> = feature("bmi2") | feature("avx512bw") |
+                                                     feature("gfni");
 
 }  // namespace thinbench::detail

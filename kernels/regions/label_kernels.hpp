@@ -82,7 +82,8 @@ struct LabelEngine {
   HoleKernels holes;  // of 8-connected objects
 };
 template <>
-inline constexpr Features kGainsFrom<LabelEngine> =
-    feature("popcnt") | feature("avx2") | feature("avx512bw") | feature("avx512vpopcntdq");
+inline constexpr Features kGainsFrom<LabelEngine> = feature("popcnt") | feature("avx2") |
+                                                    feature("avx512bw") |
+                                                    feature("avx512vpopcntdq");
 
 }  // namespace thinbench::detail

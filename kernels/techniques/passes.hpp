@@ -1,5 +1,5 @@
-// The interface of engines: passes, which are functions that apply one sub-iteration of a rule to a
-// band of rows, and tables of passes by rule.
+// The interface of the techniques that thin: passes, which are functions that apply one
+// sub-iteration of a rule to a band of rows, and tables of passes by rule.
 #pragma once
 
 #include <cstddef>

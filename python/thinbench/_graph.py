@@ -67,13 +67,12 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
     """
     array = _arrays.binary(skeleton, name="skeleton")
     options = _library.execution(_arrays.integer("threads", threads))
-    stack, kept_alive = _arrays.source(array)
-    _check_thin(stack, not_thin)
+    lines = _arrays.image(array)
+    _check_thin(lines, not_thin)
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
     handle = ctypes.c_void_p()
-    _library.skeleton_graph(stack, options, ctypes.byref(handle))
-    del kept_alive
+    _library.skeleton_graph(lines, options, ctypes.byref(handle))
     return taken(split_at(handle, nodes), units, distances)
 
 
@@ -134,14 +133,12 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
         raise ValueError(f"min_widths: expected image=..., what was thinned, beside it, got {widths:g} without")
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
-    packed_units = np.array(units)
-    pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length),
-                                    widths, 0 if distances is None else distances.ctypes.data,
-                                    array.shape[1], bool(removes_components), packed_units.ctypes.data)
+    numbers = None if distances is None else _arrays.numbers(distances)
+    spaces = _library.spacing(*units)
+    pruning = _library.pruning(_arrays.real("min_length", min_length), widths, numbers, spaces,
+                               bool(removes_components))
     result = _arrays.result_for(array, out)
-    stack, kept_alive = _arrays.source(array)
-    _library.prune(stack, _arrays.destination(result), pruning, options, None)
-    del kept_alive
+    _library.prune(*_arrays.images(array, result), pruning, options, None)
     return result
 
 
@@ -227,21 +224,18 @@ def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.ND
     [[1 0 2 3 2]] [[0 0 1 2 1]]
     """
     array = _arrays.binary(image)
-    stack, kept_alive = _arrays.source(array)
     classes, degrees = np.empty(array.shape, np.uint8), np.empty(array.shape, np.uint8)
-    stride = array.shape[1]
-    _library.classify_pixels(stack, classes.ctypes.data, stride, degrees.ctypes.data, stride)
-    del kept_alive
+    _library.classify_pixels(_arrays.image(array), _arrays.image(classes), _arrays.image(degrees), None)
     return classes, degrees
 
 
-def _check_thin(stack: bytes, not_thin: str) -> None:
+def _check_thin(lines: bytes, not_thin: str) -> None:
     if not_thin not in ("warn", "raise", "ignore"):
         raise ValueError(f"not_thin: expected 'warn', 'raise' or 'ignore', got {not_thin!r}")
     count, first = ctypes.c_int64(), (ctypes.c_int32 * 2)()
     if not_thin == "ignore":
         return
-    _library.full_blocks(stack, ctypes.byref(count), first)
+    _library.full_blocks(lines, None, ctypes.byref(count), first)
     if count.value == 0:
         return
     blocks = "block of 2 x 2 pixels" if count.value == 1 else "blocks of 2 x 2 pixels, the first"

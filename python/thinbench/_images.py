@@ -68,12 +68,10 @@ def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int
     image = _arrays.grey(image)
     name = _arrays.one_of("operator", operator, EDGE_OPERATORS)
     result = _arrays.result_for(image, out)
-    stack, kept_alive = _arrays.source(image)
-    _library.edges(name, stack, _arrays.destination(result),
-                   _arrays.integer("gradient_threshold", gradient_threshold),
-                   _arrays.integer("brightness_threshold", brightness_threshold),
-                   _library.execution(_arrays.integer("threads", threads)))
-    del kept_alive
+    _library.detect_edges(name, *_arrays.images(image, result),
+                          _arrays.integer("gradient_threshold", gradient_threshold),
+                          _arrays.integer("brightness_threshold", brightness_threshold),
+                          _library.execution(_arrays.integer("threads", threads)))
     return result
 
 
@@ -122,12 +120,8 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     """
     image = _arrays.binary(image)
     result = _arrays.result_for(image, out)
-    stack, kept_alive = _arrays.source(image)
-    largest = _hole_area(max_area)
-    _library.fill_small_holes(stack, _arrays.destination(result),
-                              _arrays.integer("connectivity", connectivity), largest,
-                              _library.execution(_arrays.integer("threads", threads)))
-    del kept_alive
+    _library.fill_holes(*_arrays.images(image, result), _filling(connectivity, max_area),
+                        _library.execution(_arrays.integer("threads", threads)))
     return result
 
 
@@ -173,21 +167,20 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
      [5 5 5 0]]
     """
     image = _arrays.labels(labels)
-    largest = _hole_area(max_area)
+    filling = _filling(connectivity, max_area)
     result = _arrays.result_for(image, out)
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else np.empty(image.shape, np.int32)
-    _library.fill_label_holes(_library.address(source), _arrays.label_stride(source), _library.address(target),
-                              _arrays.label_stride(target), *image.shape,
-                              _arrays.integer("connectivity", connectivity), largest,
-                              _library.execution(_arrays.integer("threads", threads)))
+    _library.fill_holes_of_labels(_arrays.numbers(source), _arrays.numbers(target), filling,
+                                  _library.execution(_arrays.integer("threads", threads)))
     if target is not result:
         result[...] = target
     return result
 
 
-def _hole_area(max_area: int | None) -> int:
-    return _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
+def _filling(connectivity: int, max_area: int | None) -> bytes:
+    area = _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
+    return _library.hole_filling(_arrays.integer("connectivity", connectivity), area)
 
 
 def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threads: int = 1) -> int:
@@ -224,11 +217,10 @@ def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threa
     >>> thinbench.euler_number(np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool))
     0
     """
-    stack, kept_alive = _arrays.source(_arrays.binary(image))
+    image = _arrays.binary(image)
     number = ctypes.c_int64()
-    _library.euler_number(stack, _arrays.integer("connectivity", connectivity),
+    _library.euler_number(_arrays.image(image), _arrays.integer("connectivity", connectivity),
                           _library.execution(_arrays.integer("threads", threads)), ctypes.byref(number))
-    del kept_alive
     return number.value
 
 
@@ -314,9 +306,9 @@ def label_values(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     values = _arrays.label_rows(_arrays.labels(image, "image"))
     labels = np.empty(values.shape, np.int32)
     components = ctypes.c_uint32()
-    _library.label_values(_library.address(values), _arrays.label_stride(values), _library.address(labels),
-                          values.shape[1], *values.shape, _arrays.integer("connectivity", connectivity),
-                          _arrays.integer("background", background), ctypes.byref(components))
+    _library.label_values(_arrays.numbers(values), _arrays.numbers(labels),
+                          _arrays.integer("connectivity", connectivity), _arrays.integer("background", background),
+                          None, ctypes.byref(components))
     return labels, components.value
 
 
@@ -325,11 +317,9 @@ def label_objects(image: npt.ArrayLike, connectivity: int, order: bytes | None =
     """As `label`; `order` and `execution` as in the C interface."""
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32)
-    stack, kept_alive = _arrays.source(image)
     objects = ctypes.c_uint32()
-    _library.label_image(stack, _library.address(labels), image.shape[1], connectivity, order, execution,
+    _library.label_image(_arrays.image(image), _arrays.numbers(labels), connectivity, order, execution,
                          ctypes.byref(objects))
-    del kept_alive
     return labels, objects.value
 
 
@@ -338,11 +328,9 @@ def label_components(image: npt.ArrayLike, connectivity: int,
     """As `label_objects`, but instead of their number the objects, as an array of REGION."""
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32)
-    stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.label_components(stack, _library.address(labels), image.shape[1], connectivity, order, None,
-                              ctypes.byref(handle))
-    del kept_alive
+    _library.label_objects(_arrays.image(image), _arrays.numbers(labels), connectivity, order, None,
+                           ctypes.byref(handle))
     return labels, _taken(handle)[0]
 
 
@@ -406,18 +394,15 @@ def distance(image: npt.ArrayLike, *, spacing: float | Sequence[float] = 1, squa
      [ 1  2  5 10]]
     """
     array = _arrays.binary(image)
-    stack, kept_alive = _arrays.source(array)
     units = _arrays.spacing("spacing", spacing)
     execution = _library.execution(_arrays.integer("threads", threads))
     if squared and units != (1, 1):
         raise ValueError(f"squared: expected no spacing beside it, got {spacing!r}")
     found = _arrays.result_for(array, out, dtype=np.int32 if squared else np.float64)
     if squared:
-        _library.squared_distances(stack, _library.address(found), array.shape[1], execution)
+        _library.squared_distances(_arrays.image(array), _arrays.numbers(found), execution)
     else:
-        _library.distances(stack, _library.address(found), array.shape[1],
-                           None if units == (1, 1) else _library.SPACING.pack(*units), execution)
-    del kept_alive
+        _library.distances(_arrays.image(array), _arrays.numbers(found), _library.spacing(*units), execution)
     return found
 
 
@@ -491,11 +476,11 @@ def regions(image: npt.ArrayLike, return_labels: bool = False, *, threads: int =
 def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
                  execution: bytes | None = None) -> tuple[_arrays.Array, int]:
     """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
-    stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.find_regions(stack, None if labels is None else _library.address(labels),
-                          image.shape[1], execution, ctypes.byref(handle))
-    del kept_alive
+    if labels is None:
+        _library.find_regions(_arrays.image(image), execution, ctypes.byref(handle))
+    else:
+        _library.label_regions(_arrays.image(image), _arrays.numbers(labels), execution, ctypes.byref(handle))
     return _taken(handle)
 
 
@@ -540,13 +525,11 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
     >>> print(found["centroid-0"], found["is_hole"])
     [9.5] [False]
     """
-    stack, kept_alive = _arrays.source(_arrays.grey(image))
+    image = _arrays.grey(image)
     handle = ctypes.c_void_p()
-    _library.localise(stack, _arrays.integer("gradient_threshold", gradient_threshold),
-                      _arrays.integer("brightness_threshold", brightness_threshold),
-                      _library.execution(_arrays.integer("threads", threads)),
-                      ctypes.byref(handle))
-    del kept_alive
+    _library.localise_objects(_arrays.image(image), None, _arrays.integer("gradient_threshold", gradient_threshold),
+                              _arrays.integer("brightness_threshold", brightness_threshold),
+                              _library.execution(_arrays.integer("threads", threads)), ctypes.byref(handle))
     return columns(*_taken(handle))
 
 

@@ -172,7 +172,7 @@ class Graph:
         kept = np.empty(chain.shape, np.int32)
         count = ctypes.c_size_t()
         _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance),
-                          _library.SPACING.pack(*self.spacing), kept.ctypes.data, ctypes.byref(count))
+                          _library.spacing(*self.spacing), kept.ctypes.data, ctypes.byref(count))
         return kept[:count.value, ::-1].copy()
 
     def main_paths(self) -> list[GraphPath]:
