@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _images, _library, _thinning
-from thinbench._graph_handles import split_at, taken
+from thinbench._graph_handles import split_graph, taken
 from thinbench._rules import Rule
 from thinbench._skeleton_graph import Graph
 
@@ -20,9 +20,9 @@ PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
 Spacing = float | Sequence[float]
 
 
-def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
-          nodes: Iterable[Sequence[int]] = (), not_thin: Literal["warn", "raise", "ignore"] = "warn",
-          threads: int = 1) -> Graph:
+def skeleton_graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                   nodes: Iterable[Sequence[int]] = (), not_thin: Literal["warn", "raise", "ignore"] = "warn",
+                   threads: int = 1) -> Graph:
     """Find the nodes of a skeleton and the lines between them.
 
     Parameters
@@ -61,7 +61,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
     >>> import numpy as np
     >>> import thinbench
     >>> cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
-    >>> found = thinbench.graph(cross)
+    >>> found = thinbench.skeleton_graph(cross)
     >>> print(found.nodes["kind"], found.edges["length"])
     ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
     """
@@ -73,7 +73,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
     handle = ctypes.c_void_p()
     _library.skeleton_graph(lines, options, ctypes.byref(handle))
-    return taken(split_at(handle, nodes), units, distances)
+    return taken(split_graph(handle, nodes), units, distances)
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
@@ -186,7 +186,7 @@ def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing:
     [0. 0. 2. 2. 2. 2. 2. 0. 0.]
     """
     skeleton = _thinning.thin(image, rule, threads=threads, stack=False)
-    distances = _images.distance(image, spacing=spacing, threads=threads)
+    distances = _images.distances(image, spacing=spacing, threads=threads)
     distances[skeleton == 0] = 0
     return skeleton, distances
 
@@ -247,7 +247,7 @@ def _check_thin(lines: bytes, not_thin: str) -> None:
 
 def _distances_of(image: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float],
                   threads: int) -> npt.NDArray[np.float64]:
-    distances = _images.distance(image, spacing=spacing, threads=threads)
+    distances = _images.distances(image, spacing=spacing, threads=threads)
     if distances.shape != shape:
         raise ValueError(f"image: expected the skeleton's shape {shape}, got {distances.shape}")
     return distances

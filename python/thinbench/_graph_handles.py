@@ -18,7 +18,7 @@ _EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", "i4", 2), ("stop", "i4
                   ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
 
 
-def split_at(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
+def split_graph(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
     """The graph with a node at each pixel (row, column), instead of the handle."""
     try:
         places = np.array([_pixel_of(pixel) for pixel in pixels], np.int32)

@@ -17,12 +17,12 @@ Array = npt.NDArray[Any]
 Spacing = float | Sequence[float]
 
 
-def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
-                 threads: int = 1) -> Graph:
+def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                    threads: int = 1) -> Graph:
     """Find the graphs of many skeletons that share an image, each with its own label, in one call.
 
     Pixels with different labels are never joined, even where they touch. The result is that of a loop over
-    the labels with `graph(skeletons == label, labels == label)`, one after another.
+    the labels with `skeleton_graph(skeletons == label, labels == label)`, one after another.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     labels : array of bool or integers, shape (H, W), optional
         What was thinned, for the widths of edges.
     spacing : float or two floats
-        As for `graph`.
+        As for `skeleton_graph`.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
 
@@ -52,7 +52,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     Examples
     --------
     >>> import thinbench
-    >>> found = thinbench.graph_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
+    >>> found = thinbench.graph_of_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
     >>> print(found.edges["label"], found.edges["length"])
     [2 5] [1. 2.]
     """

@@ -111,6 +111,7 @@ distances_of_labels = _checked("distances_of_labels", "bbbb")
 
 find_regions = _checked("find_regions", "bbp")
 label_regions = _checked("label_regions", "bbbp")
+find_objects = _checked("find_objects", "bbp")
 label_objects = _checked("label_objects", "bbibbp")
 label_image = _checked("label_image", "bbibbp")
 label_values = _checked("label_values", "bbiibp")

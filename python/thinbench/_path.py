@@ -12,8 +12,8 @@ import numpy.typing as npt
 from thinbench import _arrays, _library
 
 
-def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: float = 0, *,
-         threads: int = 1) -> npt.NDArray[np.int32]:
+def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: float = 0, *,
+              threads: int = 1) -> npt.NDArray[np.int32]:
     """Find a path for a robot that keeps away from obstacles.
 
     The path of least cost: a step between two pixels of the skeleton of the free space costs its length, any
@@ -50,7 +50,7 @@ def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: 
     >>> import thinbench
     >>> corridor = np.zeros((5, 7), bool)
     >>> corridor[1:4, 1:6] = True
-    >>> thinbench.path(corridor, (2, 1), (2, 5)).tolist()
+    >>> thinbench.find_path(corridor, (2, 1), (2, 5)).tolist()
     [[2, 1], [2, 2], [2, 3], [2, 4], [2, 5]]
     """
     image = _arrays.binary(free, name="free")

@@ -106,7 +106,7 @@ class Graph:
         "from" and "to": numbers of nodes; "length": the steps from pixel to pixel; "chord": the
         distance between its ends; with an image also "width-mean", "width-median", "width-min" and
         "width-max" of twice the distance to the background. A loop within a junction, round a hole that
-        its pixels enclose, has length 0. Of `graph_labels` also "label", as for nodes.
+        its pixels enclose, has length 0. Of `graph_of_labels` also "label", as for nodes.
     spacing : two floats
         The distance between rows and that between columns, in whose unit lengths and widths are.
     """
@@ -157,7 +157,7 @@ class Graph:
     def edge_widths(self, edge: int) -> Array:
         """The width at each of `edge_pixels(edge)`. The graph must know its image."""
         if self._distances is None:
-            raise ValueError("edge_widths: expected a graph(skeleton, image), whose image gives the widths")
+            raise ValueError("edge_widths: expected a skeleton_graph(skeleton, image), whose image gives the widths")
         rows, columns = self.edge_pixels(edge).T
         widths: Array = 2 * self._distances[rows, columns]
         return widths
