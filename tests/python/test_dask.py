@@ -115,6 +115,11 @@ def test_small_and_empty_arrays_are_accepted(shape):
     assert labels.compute().shape == shape
 
 
+def test_chunks_of_a_constant_array_repeat_one_pixel():
+    table, labels = tb_dask.label_regions(da.ones((40, 50), dtype=bool, chunks=16))
+    assert table["area"].tolist() == [2000] and (labels.compute() == 1).all()
+
+
 def test_regions_equal_those_in_memory():
     for seed in range(40):
         image, array = random_array(seed, 30)
