@@ -281,8 +281,8 @@ class Graph:
         """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
 
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f, by default that of the
-        spacing. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count from 1. A width without
-        background is None.
+        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count
+        from 1. A width without background is None.
         """
         spaced = (self.spacing[1], 0, 0, 0, self.spacing[0], 0)
         a, b, c, d, e, f = _finite("transform", spaced if transform is None else transform)
@@ -310,7 +310,7 @@ class Graph:
                 properties[name] = width if math.isfinite(width) else None
             properties |= _label(edges, i)
             features.append(feature("LineString", [position(*point) for point in line], properties))
-        return {"type": "FeatureCollection", "spacing": list(self.spacing), "unit": None, "features": features}
+        return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""

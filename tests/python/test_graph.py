@@ -145,7 +145,7 @@ def test_geojson_has_transformed_points_and_lines():
     lines = [f for f in found["features"] if f["geometry"]["type"] == "LineString"]
     assert json.loads(json.dumps(found)) == found
     spaced = thinbench.skeleton_graph(RING_WITH_TAILS, spacing=(2, 10)).to_geojson()
-    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [2, 10]
+    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [10, 2]
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
