@@ -23,8 +23,9 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
 
 /// As find_keys_of_word; with byte compress it writes whole vectors of keys.
 ///   bits       ..1....1.1     bytes  0 2 7 0 ..      keys  2 (64 word + 1 + byte) + (is an end)
-[[gnu::always_inline]] inline int store_keys(std::uint64_t bits, Index word, Index before,
-                                             Key* keys) {
+/// Unused where a register holds less than a row.
+[[gnu::always_inline, maybe_unused]] inline int store_keys(std::uint64_t bits, Index word,
+                                                           Index before, Key* keys) {
   if constexpr (!kHasByteCompress) {
     return static_cast<int>(find_keys_of_word(bits, word, before, keys));
   } else {

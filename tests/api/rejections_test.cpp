@@ -238,7 +238,7 @@ TEST(Enumerations, reject_values_outside_them) {
                   "directions: expected bits in [0, 15], got 16");
   for (const auto& [border, name] :
        {std::pair{Border::foreground, "foreground"}, {static_cast<Border>(7), "7"}}) {
-    expect_rejected([&] { midpoint_scan(image, image, {}, border); },
+    expect_rejected([&, given = border] { midpoint_scan(image, image, {}, given); },
                     std::string("border: expected background or keep, got ") + name);
   }
   expect_rejected([&] { fill_holes(image, image, {static_cast<Connectivity>(6), 1}); },
