@@ -80,9 +80,8 @@ thinbench_status thinbench_label_values(const thinbench_labels* values,
                                         uint32_t* components) {
   return guarded([&] {
     require_pointer(components, "components");
-    *components =
-        label_values(labels_of(values, "values"), labels_of(labels, "labels"),
-                     connectivity_of(connectivity), background, execution_of(execution));
+    *components = label_values(labels_of(values, "values"), labels_of(labels, "labels"),
+                               connectivity_of(connectivity), background, execution_of(execution));
   });
 }
 

@@ -113,8 +113,9 @@ thinbench_status thinbench_thin_packed(const thinbench_rule* rule, const thinben
                                        const thinbench_thinning* thinning,
                                        const thinbench_execution* execution, int32_t* iterations) {
   return guarded([&] {
-    report(thin_packed(rule_of(rule), packed_of(source, "source"), packed_of(destination, "destination"),
-                thinning_of(thinning), execution_of(execution)),
+    report(thin_packed(rule_of(rule), packed_of(source, "source"),
+                       packed_of(destination, "destination"), thinning_of(thinning),
+                       execution_of(execution)),
            iterations);
   });
 }

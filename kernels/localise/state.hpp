@@ -13,9 +13,9 @@ namespace thinbench::detail {
 
 using LocaliseSetting = Setting<EdgeParameters>;
 
-/// Everything stays packed: four bits per pixel, and 52 bytes per provisional label. Memory for runs
-/// and labels grows on demand: run() allocates only when an image has more of them than all before.
-/// Threads share edges and regions; outlined objects are found on one thread.
+/// Everything stays packed: four bits per pixel, and 52 bytes per provisional label. Memory for
+/// runs and labels grows on demand: run() allocates only when an image has more of them than all
+/// before. Threads share edges and regions; outlined objects are found on one thread.
 class LocaliseState {
  public:
   using Parameters = EdgeParameters;
@@ -31,9 +31,7 @@ class LocaliseState {
   void run(const ConstImageView& source, Regions& found);
 
   /// Writes the image of the objects that the last run found.
-  void write_objects(const ImageView& image) const {
-    conversion_.write(objects_.view(), image);
-  }
+  void write_objects(const ImageView& image) const { conversion_.write(objects_.view(), image); }
 
  private:
   const PlaneConversion<std::uint64_t>& conversion_;

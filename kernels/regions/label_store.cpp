@@ -14,8 +14,8 @@ void add_region(Region& sum, const Region& part) {
   sum.bottom = std::max(sum.bottom, part.bottom);
 }
 
-/// Lists the regions of roots from label `first` on, after moving them to the front in this order. A
-/// parent never exceeds its label, so its number is known when the label is visited.
+/// Lists the regions of roots from label `first` on, after moving them to the front in this order.
+/// A parent never exceeds its label, so its number is known when the label is visited.
 void list_regions(const LabelTable& table, Label first, std::vector<Region>& regions) {
   Label count = first;
   for (Label label = first; label < table.count; ++label) {

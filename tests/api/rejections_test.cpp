@@ -64,8 +64,8 @@ const std::vector<Operation>& operations() {
        [](Source from, Destination, How how) { (void)localise_objects(from, {}, how); }, false},
       {"find_regions", [](Source from, Destination, How how) { (void)find_regions(from, how); },
        false},
-      {"find_objects",
-       [](Source from, Destination, How how) { (void)find_objects(from, how); }, false},
+      {"find_objects", [](Source from, Destination, How how) { (void)find_objects(from, how); },
+       false},
       {"euler_number",
        [](Source from, Destination, How how) { (void)euler_number(from, Connectivity::four, how); },
        false},
@@ -241,10 +241,16 @@ TEST(Enumerations, reject_values_outside_them) {
     expect_rejected([&, given = border] { midpoint_scan(image, image, {}, given); },
                     std::string("border: expected background or keep, got ") + name);
   }
-  expect_rejected([&] { fill_holes(image, image, {static_cast<Connectivity>(6), 1}); },
-                  "connectivity: expected 4 or 8, got 6");
-  expect_rejected([&] { fill_holes(image, image, {Connectivity::four, -1}); },
-                  "max_area: expected at least 0, got -1");
+  expect_rejected(
+      [&] {
+        fill_holes(image, image, {static_cast<Connectivity>(6), 1});
+      },
+      "connectivity: expected 4 or 8, got 6");
+  expect_rejected(
+      [&] {
+        fill_holes(image, image, {Connectivity::four, -1});
+      },
+      "max_area: expected at least 0, got -1");
 }
 
 TEST(Colours, share_no_byte_with_their_grey_levels) {

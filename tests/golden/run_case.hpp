@@ -65,8 +65,8 @@ inline int thinned(const Case& one, const ByteImage& image, const ImageView& out
   });
   if (found == operations.end()) throw std::invalid_argument("no operation " + one.operation);
   const auto parameters = detail::thinning_parameters(found->key, {.border = border_of(one)});
-  const auto& variant = detail::choose_variant(found->variants, image.width(), image.height(),
-                                               {.threads = threads});
+  const auto& variant =
+      detail::choose_variant(found->variants, image.width(), image.height(), {.threads = threads});
   return make_state(variant, image.width(), image.height(), parameters, threads)
       ->run(image.view(), output);
 }

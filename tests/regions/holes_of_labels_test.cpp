@@ -130,8 +130,9 @@ TEST(FillHolesOfLabels, rejects_what_does_not_fit) {
   LabelImage image = labels_of({"11", "11"});
   const auto rejected = [&](const LabelView& to, Connectivity connectivity, std::int64_t area,
                             const Execution& execution = {}) {
-    return rejection_of(
-        [&] { fill_holes_of_labels(image.view(), to, {connectivity, area}, execution); });
+    return rejection_of([&] {
+      fill_holes_of_labels(image.view(), to, {connectivity, area}, execution);
+    });
   };
   EXPECT_EQ(rejected(image.view(), Connectivity::eight, -1),
             "max_area: expected at least 0, got -1");

@@ -83,9 +83,8 @@ TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
   EXPECT_THROW(label_regions(image.view(), {nullptr, 8, 8}), std::invalid_argument);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(view.data);
   EXPECT_THROW(label_regions({bytes, 8, 8}, view), std::invalid_argument);
-  EXPECT_THROW(
-      static_cast<void>(label_objects(image.view(), view, static_cast<Connectivity>(6))),
-      std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(label_objects(image.view(), view, static_cast<Connectivity>(6))),
+               std::invalid_argument);
   EXPECT_THROW(static_cast<void>(label_image(image.view(), view, static_cast<Connectivity>(6))),
                std::invalid_argument);
   EXPECT_EQ(labels.labels, unwritten(image.view()).labels);

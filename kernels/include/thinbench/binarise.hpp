@@ -68,8 +68,7 @@ struct Binarised {
 /// Sources: N. Otsu 1979, "A threshold selection method from gray-level histograms"; D. Bradley and
 /// G. Roth 2007, "Adaptive thresholding using the integral image", for the local mean.
 THINBENCH_API Binarised binarise(ConstImageView grey, ImageView destination,
-                                 const Binarisation& request = {},
-                                 const Execution& execution = {});
+                                 const Binarisation& request = {}, const Execution& execution = {});
 
 /// What of a colour becomes its grey level: 0.299 red + 0.587 green + 0.114 blue, one of the three,
 /// 255 (max - min) / max or max of the three; automatic: that of these whose two classes by Otsu's

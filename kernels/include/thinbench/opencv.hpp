@@ -137,7 +137,7 @@ inline int connectedComponentsWithStats(cv::InputArray source, cv::OutputArray l
     const LabelView view(painted.ptr<std::int32_t>(), painted.cols, painted.rows,
                          static_cast<Index>(painted.step1()));
     return label_objects(opencv_detail::view_of(image), view,
-                            static_cast<Connectivity>(connectivity), LabelOrder::opencv);
+                         static_cast<Connectivity>(connectivity), LabelOrder::opencv);
   });
   std::vector<Region> regions = {opencv_detail::background_of(painted)};
   regions.insert(regions.end(), objects.begin(), objects.end());

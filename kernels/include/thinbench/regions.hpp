@@ -88,9 +88,9 @@ struct HoleFilling {
   std::int64_t max_area = kAnyHoleArea;
 };
 
-/// Fills holes: writes 255 for objects and the holes to be filled, else 0. Filling holes of any area
-/// fills everything that objects enclose. Thread-safe for different destinations. Both views must
-/// have the same size and be the same image or share no pixel; throws std::invalid_argument
+/// Fills holes: writes 255 for objects and the holes to be filled, else 0. Filling holes of any
+/// area fills everything that objects enclose. Thread-safe for different destinations. Both views
+/// must have the same size and be the same image or share no pixel; throws std::invalid_argument
 /// otherwise, and for a negative area. Nothing is written if it throws.
 THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
                               const HoleFilling& filling = {}, const Execution& execution = {});
