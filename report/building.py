@@ -16,8 +16,7 @@ from report.progress import Progress
 
 ROOT = Path(__file__).resolve().parent.parent
 STEP = re.compile(r"\[(\d+)/(\d+)\]")
-PROGRAMS = ("thinbench_study", "thinbench_sampler", "thinbench_benchmarks",
-            "thinbench_counted_calls")
+PROGRAMS = ("thinbench_study", "thinbench_benchmarks")
 
 
 def build(preset: str, targets: Sequence[str] = (), root: Path = ROOT) -> Path:

@@ -14,7 +14,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.errors import ReportError
 from report.files import check_directory, write_files
-from report.formatting import markdown_table
+from report.formatting import counted, markdown_table
 from report.measure.run import Run, load_run
 from report.measure.timings import END_TO_END, Row
 
@@ -69,6 +69,8 @@ class Line:
     name: str
     sweep: str
     rows: tuple[Row | None, ...]
+    clocks: tuple[float, ...]
+    """Of each run over that of the first, or 1."""
 
     @property
     def title(self) -> str:
@@ -76,8 +78,10 @@ class Line:
         return f"{self.name} (sweep {self.sweep})" if self.sweep else self.name
 
     def time_ratio(self, index: int) -> float | None:
-        """How many times as fast as in the first run."""
-        return self._ratio(index, lambda row: 1 / row.time_ns)
+        """How many times as fast as in the first run; in cycles where both ran on the same processor, whose clock
+        moves."""
+        ratio = self._ratio(index, lambda row: 1 / row.time_ns)
+        return ratio * self.clocks[index] if ratio else None
 
     def speedup_ratio(self, index: int) -> float | None:
         """The same of speed-ups over the reference."""
@@ -101,14 +105,14 @@ class Comparison:
                        for number in range(len(runs))]
         self.remarks: list[str] = []
         rows = [self._comparable(run, label) for run, label in zip(runs, self.labels)]
-        self.lines = _lines([{(row.name, row.sweep): row for row in own} for own in rows])
+        clocks = tuple(_clock(runs[0], run) for run in runs)
+        self.lines = _lines([{(row.name, row.sweep): row for row in own} for own in rows], clocks)
         if not self.lines:
             raise ReportError("the runs have no row in common; was another image or filter "
                               "measured?" + "".join(f" {remark}" for remark in self.remarks))
-        self.best = _lines([_best(own) for own in rows])
+        self.best = _lines([_best(own) for own in rows], clocks)
         self.differences = list(_differences([_facts(run) for run in runs]))
-        self.remarks += [f"{label}: the controls of over 5 % of its groups failed, so its ratios are inconclusive"
-                         for run, label in zip(runs, self.labels) if not run.is_conclusive]
+        self.remarks += list(_only_in_one(rows, self.labels))
 
     def _comparable(self, run: Run, label: str) -> list[Row]:
         """Without rows of inputs that are another image in the first run."""
@@ -198,9 +202,29 @@ def _pixels(run: Run) -> dict[str, tuple[str, str]]:
     return {item["name"]: (item["hash"], item["grey_hash"]) for item in run.facts["inputs"]}
 
 
-def _lines(runs: Sequence[dict[Key, Row]]) -> list[Line]:
+def _clock(first: Run, run: Run) -> float:
+    """The cycle of a run over that of the first one, where the processors are of the same kind."""
+    kinds = [[one.machine["cpu"].get(key) for key in ("vendor", "family", "model", "stepping")] for one in (first, run)]
+    return float(run.facts["state"]["cycle_ns"] / first.facts["state"]["cycle_ns"]) if kinds[0] == kinds[1] else 1.0
+
+
+SHOWN = 3
+"""Names in a remark."""
+
+
+def _only_in_one(runs: Sequence[Sequence[Row]], labels: Sequence[str]) -> Iterator[str]:
+    """Rows that only one run has, which are compared with nothing."""
+    names = [{f"{row.name}{f' (sweep {row.sweep})' if row.sweep else ''}": None for row in rows} for rows in runs]
+    for label, own in zip(labels, names):
+        alone = [name for name in own if sum(name in other for other in names) == 1]
+        if alone:
+            more = f" and {len(alone) - SHOWN} more" if len(alone) > SHOWN else ""
+            yield f"only {label} has {counted(len(alone), 'row')}: {', '.join(alone[:SHOWN])}{more}"
+
+
+def _lines(runs: Sequence[dict[Key, Row]], clocks: tuple[float, ...]) -> list[Line]:
     """What the first run and at least one other have, in the order of the first."""
-    lines = [Line(*key, tuple(rows.get(key) for rows in runs)) for key in runs[0]]
+    lines = [Line(*key, tuple(rows.get(key) for rows in runs), clocks) for key in runs[0]]
     return [line for line in lines if any(line.rows[1:])]
 
 

@@ -14,15 +14,15 @@ from report.errors import ReportError
 from report.files import check_directory, write_file
 from report.formatting import NOTHING, counted, markdown_table, times
 from report.git import commit_name
-from report.measure.converge import measure_until_converged
+from report.measure.benchmarks import Benchmarks, Json, with_rows
+from report.measure.command import RESULTS, add_time_options, finished, measure_parts, run_directory, budget_of
+from report.measure.measurement import Part
 from report.measure.run import TIMINGS, Run, load_run, machine_facts, write_run
-from report.measure.sampler import Json, Sampler, Samples
 from report.measure.timings import END_TO_END, Row
 from report.page.operations import COPIES, label, place
 from report.page.sentences import warning_text
 from report.progress import Progress
-from report.row_options import add_filter_option, positive
-from report.study import RESULTS, default_directory
+from report.row_options import add_filter_option
 
 DIRECTORY = "pages"
 """Below the directory of a run."""
@@ -65,30 +65,27 @@ def add_pages_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--images", metavar="DIR", type=Path, action="append", default=[],
                         help="the images of this directory instead; repeatable")
     add_filter_option(parser, OPERATIONS)
-    parser.add_argument("--seconds", metavar="N", type=positive,
-                        help="budget of time for measuring; default 300, with --quick 60. Each result is measured at "
-                             "least three times, in fresh processes")
+    add_time_options(parser, 300, 60)
     parser.add_argument("--out", metavar="DIR", type=Path,
                         help=f"directory of a run, which gets a directory {DIRECTORY}; default "
                              "results/<machine>/<date>-<commit>")
 
 
-def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
-    """Returns the table."""
+def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> tuple[str, int]:
+    """Returns the table and the exit status."""
     inputs = _inputs(options)
     check_directory(options.out or RESULTS)
-    programs = build("release", ("thinbench_study", "thinbench_sampler"))
+    programs = build("release", ("thinbench_study", "thinbench_benchmarks"))
     machine = machine_facts(programs / "thinbench-study", commit_name())
-    directory = (options.out or default_directory(machine)) / DIRECTORY
-    sampler = Sampler(programs / "thinbench_sampler")
-    parts = _plans(sampler, inputs, options.filter)
-    seconds = options.seconds or (60 if options.quick else 300)
-    measure_until_converged([(sampler, part) for part in parts], seconds)
-    names = [item["name"] for part in parts for item in part.plan["inputs"]]
-    run = write_run(directory, machine, {"filter": options.filter, "seconds": seconds, "images": names},
-                    [("", part) for part in parts], f"{directory.resolve().parent.name}/{DIRECTORY}")
+    directory = run_directory(options, machine, DIRECTORY)
+    chosen = {"filter": options.filter, "seconds": budget_of(options),
+              "images": [Path(words[1]).name for words in inputs]}
+    benchmarks = Benchmarks(programs / "thinbench_benchmarks")
+    measurement, complete = measure_parts(benchmarks, directory, chosen, machine, options,
+                                          lambda: _parts(benchmarks, inputs, options.filter))
+    run = write_run(directory, machine, chosen, measurement.parts, f"{directory.resolve().parent.name}/{DIRECTORY}")
     write_file(directory / MARKDOWN, pages_markdown(run).encode())
-    return f"{pages_table(run.rows)}\n{directory} holds {MARKDOWN} and {TIMINGS}"
+    return finished(measurement, complete, f"{pages_table(run.rows)}\n{directory} holds {MARKDOWN} and {TIMINGS}")
 
 
 def _inputs(options: argparse.Namespace) -> list[list[str]]:
@@ -127,27 +124,23 @@ def images_of(directory: Path) -> list[Path]:
     return found
 
 
-def _plans(sampler: Sampler, inputs: Sequence[Sequence[str]], rows: str) -> list[Samples]:
+def _parts(benchmarks: Benchmarks, inputs: Sequence[Sequence[str]], rows: str) -> list[Part]:
     """One for each picture, so that a process loads no other."""
     progress = Progress("verifying pictures", len(inputs))
     parts = []
     for words in inputs:
         chosen = WITHOUT_SLOW.format(rows) if words[0] == "--input" else rows
-        plan = sampler.plan(["--variants", "best", "--max-call", "0.3", "--filter", chosen, *words],
-                            remarks=not words[1].startswith(str(INSTALLED)))
-        parts.append(Samples(_without_unshown(plan)))
+        facts = benchmarks.verify(["--variants", "best", "--max-call", "0.3", "--filter", chosen, *words],
+                                  remarks=not words[1].startswith(str(INSTALLED)))
+        parts.append(Part(_without_unshown(facts)))
         progress.advance(1)
     progress.close()
     return parts
 
 
-def _without_unshown(plan: Json) -> Json:
+def _without_unshown(facts: Json) -> Json:
     """References and scalar variants verify, but would take most of the time."""
-    for group in plan["groups"]:
-        controlled = group["entries"][-1]["name"]
-        group["entries"] = [entry for entry in group["entries"] if entry["name"] == controlled or
-                            (row := plan["rows"][entry["name"]])["default"] or row["peer"]]
-    return plan
+    return with_rows(facts, (name for name, row in facts["rows"].items() if row["default"] or row["peer"]))
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,7 @@ def binarise_words(options: argparse.Namespace) -> list[str]:
 
 
 def input_words(options: argparse.Namespace) -> list[str]:
-    """The images as the sampler takes them."""
+    """The images as thinbench_benchmarks takes them."""
     words = [word for image in options.image for word in ("--image", str(image))]
     return words + binarise_words(options) if words else []
 

@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import argparse
-import datetime
 import re
 import subprocess
 import sys
 from pathlib import Path
 
-from report.building import PROGRAMS, ROOT, build
+from report.building import PROGRAMS, build
 from report.errors import ReportError
 from report.files import check_directory
 from report.git import commit_name
-from report.measure.converge import measure_until_converged
+from report.measure.benchmarks import Benchmarks, Json
+from report.measure.command import (RESULTS, add_time_options, budget_of, finished, measure_parts,
+                                    run_directory)
+from report.measure.measurement import Part
 from report.measure.run import machine_facts, write_run
-from report.measure.sampler import Json, Sampler, Samples
-from report.model import add_model
 from report.row_options import (add_row_options, binarise_words, check_binarise_options, image_file,
                                 input_words, positive)
-
-RESULTS = ROOT / "results"
 
 SERIES = "^(thin_naccache_shinghal|edges_sobel|holes|localise_objects)/.*/end_to_end/"
 """What the default series of sizes measures."""
@@ -61,9 +59,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
                         help="numbers of threads, such as 2,4,8, for variants with threads; default "
                              "2. They are timed where the library would use them: on images of "
                              "2^20 pixels and more; with --all on every image")
-    parser.add_argument("--seconds", metavar="N", type=positive,
-                        help="budget of time for measuring; default 300, with --quick 45. Each "
-                             "result is measured at least three times, in fresh processes")
+    add_time_options(parser, 300, 45)
     parser.add_argument("--no-peers", action="store_true",
                         help="do not time other projects' code and the copy")
 
@@ -78,31 +74,22 @@ def _thread_counts(text: str) -> list[int]:
     return list(dict.fromkeys(counts))
 
 
-def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
-    """Returns the summary to print."""
+def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> tuple[str, int]:
+    """Returns the summary to print and the exit status."""
     check_binarise_options(parser, options, options.image + options.quality_image)
     check_directory(options.out or RESULTS)
     programs = build("release", PROGRAMS)
     machine = machine_facts(programs / "thinbench-study", commit_name())
-    directory = options.out or default_directory(machine)
-    sampler = Sampler(programs / "thinbench_sampler")
-    samples = [Samples(sampler.plan(words)) for words in plans_of(options)]
-    seconds = options.seconds or (45 if options.quick else 300)
-    measure_until_converged([(sampler, part) for part in samples], seconds)
-    write_run(directory, machine, _options_json(options, seconds),
-              [("", part) for part in samples])
+    directory = run_directory(options, machine)
+    benchmarks = Benchmarks(programs / "thinbench_benchmarks")
+    measurement, complete = measure_parts(benchmarks, directory, _options_json(options), machine, options,
+                                          lambda: [Part(benchmarks.verify(words)) for words in plans_of(options)])
+    write_run(directory, machine, _options_json(options), measurement.parts)
     write_pictures(programs / "thinbench-study", directory, options)
-    count_instructions(programs / "thinbench-study", directory, options)
-    measure_quality(programs / "thinbench-study", directory, options)
+    if complete:
+        measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
-    return build_page(directory)
-
-
-def default_directory(machine: Json) -> Path:
-    """Below results/, by machine, date and commit."""
-    today = datetime.datetime.now(datetime.timezone.utc).date()
-    name = f"{today}-{machine['commit']}"
-    return RESULTS / str(machine["fingerprint"]) / name
+    return finished(measurement, complete, build_page(directory))
 
 
 def plans_of(options: argparse.Namespace) -> list[list[str]]:
@@ -129,9 +116,9 @@ def _inputs(sizes: list[int]) -> list[str]:
     return [word for size in sizes for word in ("--input", f"square_{size}")]
 
 
-def _options_json(options: argparse.Namespace, seconds: int) -> Json:
+def _options_json(options: argparse.Namespace) -> Json:
     """Images by their files' names, as directories are private."""
-    return {"quick": options.quick, "filter": options.filter, "seconds": seconds, "all": options.all,
+    return {"quick": options.quick, "filter": options.filter, "seconds": budget_of(options), "all": options.all,
             "peers": not options.no_peers, "threads": options.threads, "foreground": options.foreground,
             "threshold": options.threshold, "sizes": options.size,
             "images": [image.name for image in options.image]}
@@ -141,19 +128,6 @@ def write_pictures(program: Path, directory: Path, options: argparse.Namespace) 
     """The inputs and what operations make of them, for the page."""
     _run(program, "pictures", ["--out", str(directory / "pictures"), *input_words(options)],
          _shown(options))
-
-
-def count_instructions(program: Path, directory: Path, options: argparse.Namespace) -> None:
-    """Instructions and clock cycles of rows on one thread, and what a model makes of them."""
-    path = directory / "limits.json"
-    path.unlink(missing_ok=True)
-    words = ["--limits", "--quick", "--out", str(path)]
-    if options.image:
-        words += ["--image", str(options.image[0]), *binarise_words(options)]
-    if options.filter:
-        words += ["--filter", options.filter]
-    if _run(program, "instructions", words, _shown(options), may_be_nothing=True):
-        add_model(path)
 
 
 def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:
@@ -174,10 +148,8 @@ def _shown(options: argparse.Namespace) -> tuple[str, ...]:
                           for kind in ("note", "warning")))
 
 
-def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...],
-         may_be_nothing: bool = False) -> bool:
-    """Whether it did something; the sampler has accepted the options, so wrong usage means that none
-    of the rows suit the command. Lines that were shown before are left out."""
+def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...]) -> None:
+    """Lines that were shown before are left out."""
     with subprocess.Popen([program, command, *words], stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr
@@ -187,9 +159,6 @@ def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...],
                 failure = line
             elif not line.startswith(shown):
                 sys.stderr.write(line)
-    if process.returncode == 2 and may_be_nothing:
-        return False
     if process.returncode != 0:
         sys.stderr.write(failure)
         raise ReportError(f"thinbench-study {command} failed; see the line above")
-    return True

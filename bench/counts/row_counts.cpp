@@ -16,7 +16,8 @@
 
 #include "counts/counted_job.hpp"
 #include "counts/single_steps.hpp"
-#include "measure/measuring.hpp"
+#include "measure/known_rows.hpp"
+#include "measure/probe.hpp"
 #include "support/progress.hpp"
 
 namespace thinbench {
@@ -29,13 +30,13 @@ using Json = nlohmann::json;
 }
 
 /// What the child finds of its call: {} where that takes too many steps.
-using Find = std::function<Json(const ExecutedSteps&)>;
-
-Json answer_of(const TimedRow& row, std::uint64_t max_steps, const Find& find) {
+Json answer_of(const TimedRow& row, std::uint64_t max_steps) {
   Json answer = Json::object();
   try {
     with_warm_call(row, [&](const CountedCall& call) {
-      if (const auto steps = steps_of(call, max_steps)) answer = find(*steps);
+      if (const auto steps = steps_of(call, max_steps)) {
+        answer = {{"instructions", steps->instructions}};
+      }
     });
   } catch (const std::exception& error) {
     answer = {{"why_not", error.what()}};
@@ -67,12 +68,12 @@ std::string end_of(int status) {
 }
 
 /// The child ends without the destructors and buffers of the parent, whose copies these are.
-Json answer_of_child(const TimedRow& row, std::uint64_t max_steps, const Find& find) {
+Json answer_of_child(const TimedRow& row, std::uint64_t max_steps) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw_errno("no pipe");
   const pid_t child = fork();
   if (child < 0) throw_errno("no process to count in");
-  if (child == 0) _exit(write_to(ends[1], answer_of(row, max_steps, find).dump()));
+  if (child == 0) _exit(write_to(ends[1], answer_of(row, max_steps).dump()));
   close(ends[1]);
   Json answer = Json::parse(read_from(ends[0]), nullptr, false);
   close(ends[0]);
@@ -93,12 +94,20 @@ bool is_far_too_long(const TimedRow& row, double seconds_per_cycle, std::uint64_
          static_cast<double>(max_steps);
 }
 
+/// The least of a few milliseconds.
+double seconds_per_cycle() {
+  constexpr int kSamples = 400;
+  double shortest = cycle_ns();
+  for (int sample = 1; sample < kSamples; ++sample) shortest = std::min(shortest, cycle_ns());
+  return 1e-9 * shortest;
+}
+
 using Rows = std::vector<const TimedRow*>;
 using Counted = std::map<const TimedRow*, RowCount>;
 
 /// Variants whose kernel takes too many steps are not tried end to end.
 void step_through(const Rows& rows, std::uint64_t max_steps, Counted& counted) {
-  const double cycle = shortest_cycle_ns() * 1e-9;
+  const double cycle = seconds_per_cycle();
   const Variant* too_long = nullptr;
   Progress progress("counting", static_cast<double>(rows.size()));
   for (const TimedRow* row : rows) {
@@ -140,24 +149,26 @@ Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, Callgrind
   return counted;
 }
 
-}  // namespace
-
-std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Json answer = answer_of_child(row, max_steps, [](const ExecutedSteps& steps) {
-    return Json{{"instructions", steps.instructions}};
-  });
-  if (answer.empty()) return std::nullopt;
-  return answer.at("instructions").get<std::uint64_t>();
+ByteImage small_copy_of(const ByteImage& image) {
+  constexpr Index kAcross = 5;
+  constexpr Index kDown = 16;
+  ByteImage few((image.width() + kAcross - 1) / kAcross, (image.height() + kDown - 1) / kDown);
+  for (Index y = 0; y < few.height(); ++y) {
+    for (Index x = 0; x < few.width(); ++x) few.at(x, y) = image.at(x * kAcross, y * kDown);
+  }
+  return few;
 }
 
-std::optional<RowCode> code_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Json answer = answer_of_child(row, max_steps, [](const ExecutedSteps& steps) {
-    const ExecutedCode code = executed_code(steps.addresses);
-    return Json{
-        {"count", steps.instructions}, {"instructions", code.instructions}, {"order", code.order}};
-  });
+}  // namespace
+
+TimedInput small_copy(const TimedInput& input) {
+  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
+}
+
+std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
+  const Json answer = answer_of_child(row, max_steps);
   if (answer.empty()) return std::nullopt;
-  return RowCode{{&row, answer.at("count")}, {answer.at("instructions"), answer.at("order")}};
+  return answer.at("instructions").get<std::uint64_t>();
 }
 
 RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "counts/callgrind.hpp"
-#include "counts/executed_code.hpp"
+#include "measure/inputs.hpp"
 #include "measure/timed_row.hpp"
 
 namespace thinbench {
@@ -34,17 +34,15 @@ struct RowCounts {
   CallgrindUse callgrind = {};
 };
 
+/// Every 5th pixel of every 16th row, named "<input>_small", as every instruction takes
+/// microseconds: the scene becomes 102 x 26 pixels, more than a word in a row and few rows, with
+/// all its parts and most of their holes.
+[[nodiscard]] TimedInput small_copy(const TimedInput& input);
+
 /// Counts single steps in a child process, which has made the row ready and called it once before:
 /// memory lies alike whatever was counted earlier. None where a call takes more than `max_steps`.
 /// Throws std::runtime_error where the child fails.
 [[nodiscard]] std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps);
-
-/// The same count, and the code.
-struct RowCode {
-  RowCount count;
-  ExecutedCode code;
-};
-[[nodiscard]] std::optional<RowCode> code_of(const TimedRow& row, std::uint64_t max_steps);
 
 /// All these rows, of one input, which outlive the counts: by callgrind where it knows them, else
 /// by single steps, for which a row is too long where its time says so, by far.

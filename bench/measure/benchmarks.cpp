@@ -1,18 +1,27 @@
-// The rows under Google Benchmark, for people who run benchmarks by hand. What is published comes
-// from the sampler.
+// thinbench_benchmarks: verifies rows and measures them with Google Benchmark. `./study` starts it;
+// see docs/measuring.md.
 #include <algorithm>
+#include <deque>
+#include <fstream>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
+#include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/parse_errors.hpp"
 #include "cli/reported.hpp"
 #include "cli/usage.hpp"
+#include "measure/known_rows.hpp"
+#include "measure/repetition.hpp"
 #include "measure/row_options.hpp"
-#include "measure/timed_call.hpp"
+#include "measure/sample_reporter.hpp"
 #include "peers/peers.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -20,64 +29,180 @@ namespace {
 struct BenchmarkOptions {
   InputChoice inputs;
   RowChoice rows;
+  double max_call_seconds = 1;
+  double seconds_per_row = 0.01;
+  std::string facts;
+  std::string known;
+  std::string samples;
+  bool for_people = true;
 };
 
-void run_row(benchmark::State& state, const TimedRow& row) {
-  TimedCall call(row);
-  call();  // touches every page
-  for (auto _ : state) {
-    call();
-    benchmark::ClobberMemory();
+/// Of the project's rows on one thread in a group, which the controls repeat.
+bool can_be_control(const KnownRow& known) {
+  return known.row.variant != nullptr && !known.row.is_peer() && known.row.threads == 1;
+}
+
+/// Benchmarks that are registered, with what they need while they run.
+class Registered {
+ public:
+  explicit Registered(double seconds_per_row) : seconds_per_row_(seconds_per_row) {}
+
+  /// Rows, and two controls for each case and input.
+  void add_all(const std::vector<KnownRow>& rows) {
+    std::map<std::pair<const Operation*, const TimedInput*>, const KnownRow*> fastest;
+    for (const KnownRow& known : rows) {
+      add(known, "", 0);
+      const KnownRow*& best = fastest[{known.row.operation, known.row.input}];
+      if (can_be_control(known) && (best == nullptr || known.seconds < best->seconds)) {
+        best = &known;
+      }
+    }
+    constexpr double kSlowdown = 0.1;
+    for (const auto& [group, best] : fastest) {
+      if (best == nullptr) continue;
+      add(*best, "/again", 0);
+      add(*best, "/slowed", kSlowdown * 1e9 * best->seconds);
+    }
   }
-  const auto pixels = static_cast<double>(row.input->width() * row.input->height());
-  state.counters["pixels_per_second"] =
-      benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate);
-  if (row.counter) {
-    state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
+
+ private:
+  void add(const KnownRow& known, const char* suffix, double delay_ns) {
+    Measured& measured = measured_.emplace_back(known, seconds_per_row_);
+    measured.delay_ns = delay_ns;
+    const std::string name = known.row.name + suffix;
+    benchmark::RegisterBenchmark(name.c_str(), [this, &measured](benchmark::State& state) {
+      repeat(state, measured, workspaces_);
+      if (delay_free(measured)) add_counters(state, measured.known.row);
+    })->Repetitions(measured.repetitions);
   }
+
+  static bool delay_free(const Measured& measured) { return measured.delay_ns == 0; }
+
+  static void add_counters(benchmark::State& state, const TimedRow& row) {
+    const auto pixels = static_cast<double>(row.input->width() * row.input->height());
+    state.counters["pixels_per_second"] =
+        benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate);
+    if (row.counter) {
+      state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
+    }
+  }
+
+  double seconds_per_row_;
+  std::deque<Measured> measured_;
+  Workspaces workspaces_;
+};
+
+int measure(const std::vector<KnownRow>& rows, const BenchmarkOptions& options) {
+  Registered registered(options.seconds_per_row);
+  registered.add_all(rows);
+  SampleReporter reporter(options.samples, options.for_people);
+  const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::ClearRegisteredBenchmarks();
+  if (count == 0) return kUsage;
+  return reporter.has_failed() ? kFailure : kSuccess;
+}
+
+int verify_and_measure(const BenchmarkOptions& options) {
+  const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
+  Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  const std::vector<KnownRow> rows = calibrate_rows(selection, options.max_call_seconds);
+  const int status = selection.mismatches.empty() ? kSuccess : kUsage;
+  if (!options.facts.empty()) {
+    const auto facts = facts_json(options.inputs, inputs, selection, rows);
+    write_whole_file(options.facts,
+                     facts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    return status;
+  }
+  report_skipped(selection);
+  return std::max(status, measure(rows, options));
 }
 
 int run(const BenchmarkOptions& options) {
-  const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
-  const Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
-  report_skipped(selection);
-  for (const TimedRow& row : selection.rows) {
-    auto* registered = benchmark::RegisterBenchmark(
-        row.name.c_str(), [&row](benchmark::State& state) { run_row(state, row); });
-    if (row.threads > 1) registered->UseRealTime();
-  }
-  const std::size_t count = benchmark::RunSpecifiedBenchmarks();
-  return count > 0 && selection.mismatches.empty() ? kSuccess : kUsage;
+  if (options.known.empty()) return verify_and_measure(options);
+  const Known known(options.known, operations_with_peers());
+  return measure(known.rows, options);
 }
 
-bool asks_for_help(const std::vector<char*>& arguments) {
-  return std::any_of(arguments.begin(), arguments.end(),
+/// The value of an option of Google Benchmark that was given.
+std::optional<std::string> value_of(const std::vector<std::string>& words,
+                                    const std::string& option) {
+  const auto found = std::find_if(words.rbegin(), words.rend(), [&](const std::string& word) {
+    return word.starts_with(option + "=");
+  });
+  if (found == words.rend()) return std::nullopt;
+  return found->substr(option.size() + 1);
+}
+
+bool asks_for_help(const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(),
                      [](const std::string_view word) { return word == "--help" || word == "-h"; });
 }
 
-/// Google Benchmark would print its own help; else it takes its options out of `arguments`.
-void initialize(std::vector<char*>& arguments) {
-  if (asks_for_help(arguments)) return;
+/// Google Benchmark takes its options out of the words, and would print its own help. With the
+/// shortest time that it knows, a repetition is one batch of calls.
+void initialize(std::vector<std::string>& words) {
+  if (asks_for_help(words)) return;
+  words.insert(words.begin() + 1,
+               {"--benchmark_enable_random_interleaving=true", "--benchmark_min_time=1e-9"});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
-  arguments.resize(static_cast<std::size_t>(count));
+  words = {arguments.data(), arguments.data() + count};
 }
 
-int run(std::vector<char*> arguments) {
-  initialize(arguments);
-  BenchmarkOptions options;
-  CLI::App app("Time every operation with Google Benchmark, each variant verified first",
-               "thinbench_benchmarks");
+void add_options(CLI::App& app, BenchmarkOptions& options) {
   add_row_options(app, options.inputs, options.rows);
+  app.add_option("--seconds-per-row", options.seconds_per_row,
+                 "how long the repetitions of a row take, about; there are 2 to 25")
+      ->capture_default_str()
+      ->check(real_number(0, 100))
+      ->type_name("S");
+  app.add_option("--max-call", options.max_call_seconds,
+                 "rows whose call takes longer are verified, but not measured")
+      ->capture_default_str()
+      ->check(real_number(0, 1e6))
+      ->type_name("S");
+  app.add_option("--samples", options.samples, "write a line of CSV for each repetition")
+      ->check(not_empty())
+      ->type_name("FILE");
+  CLI::Option* facts =
+      app.add_option("--facts", options.facts,
+                     "only verify; write what is known of the rows as JSON, for --known")
+          ->check(not_empty())
+          ->type_name("FILE");
+  app.add_option("--known", options.known,
+                 "measure the rows of these facts, which are not verified again: their results "
+                 "must be the verified ones")
+      ->check(not_empty())
+      ->type_name("FILE")
+      ->excludes(facts);
   app.footer(
-      "Options that start with --benchmark_ go to Google Benchmark. --filter chooses the rows "
-      "that\n"
-      "are verified and registered, --benchmark_filter those of them that run.\n"
-      "Examples:\n"
-      "  thinbench_benchmarks --filter '^thin_guo_hall/.*bitpacked'\n"
-      "  thinbench_benchmarks --variants best --benchmark_format=csv\n"
-      "  thinbench_benchmarks --image parts.jpg --foreground dark --threshold 100");
-  if (!parse_or_help(app, {arguments.begin() + 1, arguments.end()})) return kSuccess;
+      R"(Every row is verified against its reference before it is measured. A repetition is about 0.3 ms of
+calls, or one longer call, of a job made anew; repetitions of all rows are interleaved. ROW/again and
+ROW/slowed are controls: the fastest row of each case once more, and with a delay of a tenth. Shown
+is the median of the repetitions. Options that start with --benchmark_ go to Google Benchmark;
+--benchmark_filter also chooses what is verified, unless --filter does.
+
+Examples:
+  thinbench_benchmarks --benchmark_filter='^thin_guo_hall/.*bitpacked'
+  thinbench_benchmarks --variants best --benchmark_format=csv > times.csv
+  thinbench_benchmarks --image parts.jpg --foreground dark --threshold 100
+
+Exit status: 0 done, 1 a row failed, 2 wrong usage or a row that differs from its reference.)");
+}
+
+int run(std::vector<std::string> words) {
+  BenchmarkOptions options;
+  options.for_people = value_of(words, "--benchmark_format").value_or("console") == "console";
+  const std::string filter = value_of(words, "--benchmark_filter").value_or("");
+  initialize(words);
+  CLI::App app("Verify rows and measure them with Google Benchmark", "thinbench_benchmarks");
+  add_options(app, options);
+  if (!parse_or_help(app, {words.begin() + 1, words.end()})) return kSuccess;
+  if (options.rows.filter.empty() && !filter.starts_with('-') && filter != "all") {
+    options.rows.filter = filter;
+  }
   return run(options);
 }
 

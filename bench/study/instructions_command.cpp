@@ -1,20 +1,17 @@
-// thinbench-study instructions: what rows execute, counted exactly, beside the cycles that they
-// take.
+// thinbench-study instructions: what rows execute, counted exactly.
 #include <memory>
 #include <string>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "counts/documents.hpp"
-#include "counts/limits.hpp"
+#include "counts/row_counts.hpp"
 #include "measure/timed_row.hpp"
 #include "study/study.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr Index kQuickRows = 24;
 
 struct InstructionsOptions {
   std::string filter;
@@ -23,13 +20,10 @@ struct InstructionsOptions {
   BinariseOptions binarise;
   std::uint64_t max_steps = 0;  // 0 for what suits the input
   bool json = false;
-  bool limits = false;
-  bool quick = false;
 
   [[nodiscard]] std::uint64_t steps() const {
     if (max_steps > 0) return max_steps;
-    if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
-    return quick ? 200000 : 800000;
+    return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
   }
 };
 
@@ -37,8 +31,7 @@ TimedInput input_for(const InstructionsOptions& options, std::ostream& log) {
   std::vector<std::string> pictures;
   if (!options.image.empty()) pictures.push_back(options.image);
   TimedInput whole = std::move(timed_inputs({pictures, options.binarise, {}}, &log).front());
-  if (!options.limits) return small_copy(whole);
-  return options.quick ? middle_rows(whole, kQuickRows) : std::move(whole);
+  return small_copy(whole);
 }
 
 /// The one input in the form that rows are selected by.
@@ -50,9 +43,8 @@ std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostr
 
 /// The rows on one thread, verified.
 Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
-  const VariantChoice variants = options.limits ? VariantChoice::highest : VariantChoice::all;
-  Selection selection =
-      select_rows_or_explain({options.filter, variants, {2}, false}, all_operations(), inputs);
+  Selection selection = select_rows_or_explain({options.filter, VariantChoice::all, {2}, false},
+                                               all_operations(), inputs);
   if (!selection.mismatches.empty()) {
     throw std::runtime_error("rows that are not equal to their references are not counted");
   }
@@ -82,14 +74,6 @@ Results counted(const InstructionsOptions& options, std::ostream& log) {
           counts.skipped.size(), counts.callgrind.why_not};
 }
 
-Results limited(const InstructionsOptions& options, std::ostream& log) {
-  const std::vector<TimedInput> inputs = inputs_for(options, log);
-  std::vector<TimedRow> rows = selected(options, inputs).rows;
-  if (options.quick) rows = fastest_rows(rows);
-  const Limits limits = limits_of(rows, options.steps());
-  return {limits_json(inputs.front(), limits), limits_table(limits), limits.skipped.size(), {}};
-}
-
 void report_skipped(const Results& results, const InstructionsOptions& options,
                     const Console& console) {
   if (!results.why_not_callgrind.empty()) {
@@ -100,15 +84,9 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
               << " not counted: more than " << options.steps() << " single steps\n";
 }
 
-void check(const InstructionsOptions& options) {
-  if (options.quick && !options.limits) throw UsageError("--quick goes with --limits only");
-  if (!options.out.empty()) check_target(options.out);
-}
-
 int run(const InstructionsOptions& options, const Console& console) {
-  check(options);
-  const Results results =
-      options.limits ? limited(options, console.err) : counted(options, console.err);
+  if (!options.out.empty()) check_target(options.out);
+  const Results results = counted(options, console.err);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
   report_skipped(results, options, console);
@@ -125,38 +103,28 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
           ->type_name("FILE");
   add_binarise_options(app, options.binarise, image);
   app.add_option("--max-steps", options.max_steps,
-                 "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
-                 "with --limits 800000, quick 200000)")
+                 "Skip rows that take more single steps (default: 400000, without valgrind 30000)")
       ->check(whole_number(1, 100000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
   app.add_option("--out", options.out, "Write the data here, as JSON")
       ->check(not_empty())
       ->type_name("FILE");
-  app.add_flag("--limits", options.limits, "Time rows as well, and report their clock cycles");
-  app.add_flag("--quick", options.quick,
-               "With --limits: 24 rows of the image, the fastest row of each operation");
 }
 
 }  // namespace
 
 Command add_instructions_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("instructions",
-                                         "Count the instructions of rows, and their clock cycles");
+  CLI::App* app = program.add_subcommand("instructions", "Count the instructions of rows");
   const auto options = std::make_shared<InstructionsOptions>();
   add_options(*app, *options);
   app->footer(R"(Examples:
   thinbench-study instructions --filter 'simd_.*/avx2' --out counts.json
-  thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/'
 
 Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
 valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
 processor after each instruction, which takes microseconds, and rows that take more than --max-steps
 are skipped. So the input is small: every 5th pixel of every 16th row of the image.
-
---limits takes the whole image, times the rows too, and measures the core's clock cycle: the floor of
-dependent additions during the whole run. All rows are counted by single steps, and the data holds the
-code that each executes, for a model of the processor.
 
 ./study regress compares the counts of two builds.)");
   return {app, [options](const Console& console) { return run(*options, console); }};

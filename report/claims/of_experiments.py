@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import takewhile
 
 from report.claims.claim import Claim, Verdict, open_claim
-from report.measure.sampler import Json
+from report.measure.benchmarks import Json
 from report.page.operations import PRINTED_RULE
 
 PAPER_NETS = 12

@@ -7,9 +7,9 @@ from itertools import combinations
 
 from report.claims.claim import Claim, Verdict, open_claim
 from report.formatting import counted, interval, three_digits
-from report.measure.estimates import Estimate, ratio_of
-from report.measure.sampler import Json
-from report.measure.timings import Row
+from report.measure.estimates import Estimate
+from report.measure.benchmarks import Json
+from report.measure.timings import Row, row_ratio
 from report.page.operations import ARITHMETIC, PRINTED_RULE, Rows, fastest
 from report.page.table_two import PAPER, PaperRow
 
@@ -29,7 +29,7 @@ NO_COST = 1.05
 
 def time_ratio(above: Row | None, below: Row | None) -> Estimate | None:
     """One time over another; None where a row is missing."""
-    return None if above is None or below is None else ratio_of(above.floor, below.floor)
+    return None if above is None or below is None else row_ratio(above, below)
 
 
 def _text(ratio: Estimate) -> str:

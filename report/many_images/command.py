@@ -15,10 +15,9 @@ from report.building import build
 from report.errors import ReportError
 from report.files import check_directory, write_file
 from report.git import commit_name
-from report.measure.load import LoadMeter
+from report.measure.command import RESULTS, default_directory
 from report.measure.run import machine_facts
 from report.row_options import positive
-from report.study import RESULTS, default_directory
 
 EPILOG = """examples:
   ./study many-images
@@ -38,7 +37,7 @@ class Sizes:
 
     files: int = 240
     loop_files: int = 24  # for loops, of which some take 0.2 s per image
-    rounds: int = 15
+    rounds: int = 8
     dask_side: int = 3000
     chunk_sides: tuple[int, ...] = (250, 500, 1000, 1500)
 
@@ -54,8 +53,7 @@ def add_many_images_command(parser: argparse.ArgumentParser) -> None:
                         help=f"image files to draw; default {Sizes.files}, with --quick "
                              f"{QUICK.files}")
     parser.add_argument("--rounds", metavar="N", type=positive,
-                        help=f"at most; what has converged is left out earlier; default "
-                             f"{Sizes.rounds}, with --quick {QUICK.rounds}")
+                        help=f"default {Sizes.rounds}, with --quick {QUICK.rounds}")
     parser.add_argument("--out", metavar="DIR", type=Path,
                         help="where results go; default "
                              "results/<machine>/<date>-<commit>/many-images")
@@ -88,7 +86,6 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     from report.many_images.tables import TABLES
     cv2.setNumThreads(1)
     cores = machine["cores"]
-    load = LoadMeter()
     with tempfile.TemporaryDirectory() as work:
         with LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=":0",
                           local_directory=work) as cluster, Client(cluster) as client:
@@ -96,8 +93,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
             client.run(_ignore_interrupts)
             steps = _steps(program, Path(work), sizes, client, cores)
             samples = measure(steps, sizes.rounds)
-    origin = Origin(machine["commit"], machine["fingerprint"], machine["cpu"]["name"], cores,
-                    load.foreign())
+    origin = Origin(machine["commit"], machine["fingerprint"], machine["cpu"]["name"], cores)
     results = results_of(steps, samples, origin)
     write_file(directory / CSV, to_csv(results).encode())
     return "\n".join([*(table(results) for table in TABLES.values()), f"{directory} holds {CSV}"])

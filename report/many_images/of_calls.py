@@ -76,7 +76,7 @@ def _regionprops(image: Binary) -> Any:
 
 
 class _TimedCall:
-    """Wall time of each call, as the sampler takes it."""
+    """Wall time of each call."""
 
     def __init__(self, call: Call) -> None:
         self.call = call

@@ -1,4 +1,4 @@
-"""The CSV file: the lowest time of each quantity, how well it comes back, and ratios."""
+"""The CSV file: the time of each quantity, its interval, and ratios."""
 
 from __future__ import annotations
 
@@ -9,23 +9,24 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
+import pandas as pd
+
 from report.errors import ReportError
 from report.files import read_bytes
-from report.many_images.steps import Samples, Step, floors
-from report.measure.estimates import Floor, ratio_of
+from report.many_images.steps import QUANTITIES, Step, row_of
+from report.measure.estimates import Estimates, Time, ratio_of
 
 CSV = "many_images.csv"
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Where and beside what the figures were measured."""
+    """Where the figures were measured."""
 
     commit: str
     machine: str
     processor: str
     cores: int
-    foreign_load: float  # mean number of processors that other processes kept busy
 
 
 @dataclass(frozen=True)
@@ -50,23 +51,21 @@ class Result:  # pylint: disable=too-many-instance-attributes
     machine: str
     processor: str
     cores: int
-    foreign_load: float
 
 
-def results_of(steps: list[Step], samples: Samples, origin: Origin) -> list[Result]:
+def results_of(steps: list[Step], samples: pd.DataFrame, origin: Origin) -> list[Result]:
     """A result for each quantity of each step."""
-    found = {key: floors(rounds) for key, rounds in samples.items()}
-    return [_result(step, quantity, floor, found[step.base][quantity], origin)
-            for step in steps for quantity, floor in found[step.key].items()]
+    times = Estimates(samples)
+    return [_result(step, quantity, times.time(name), times.time(row_of(step.base, quantity)), origin)
+            for step in steps for quantity in QUANTITIES if (name := row_of(step.key, quantity)) in times]
 
 
-def _result(step: Step, quantity: str, own: Floor, base: Floor, origin: Origin) -> Result:
+def _result(step: Step, quantity: str, own: Time, base: Time, origin: Origin) -> Result:
     ratio = ratio_of(own, base)
     ratios = (None, None, None) if step.base == step.key else (ratio.value, ratio.low, ratio.high)
     base_name = f"{step.base.method}, {step.base.x}" if step.base.x else step.base.method
-    return Result(*step.key, quantity, own.time, own.high, own.typical, base_name,
-                  *ratios, own.processes,
-                  "" if own.converged and base.converged else "open", **asdict(origin))
+    return Result(*step.key, quantity, own.value, own.high, own.typical, base_name,
+                  *ratios, own.processes, "" if own.settled and base.settled else "open", **asdict(origin))
 
 
 def series(results: list[Result], experiment: str, quantity: str) -> dict[str, list[Result]]:

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import pandas as pd
+
 from report.errors import ReportError
-from report.measure.estimates import Floor, floor_of
 from report.progress import Progress
 
 IMAGES, WORKERS, CALLS, CHUNKS = "images", "workers", "calls", "dask"
@@ -20,8 +21,10 @@ IN_MEMORY = "in memory"
 STAGES = ("decode", "compute", "encode")
 """Of a file."""
 
+QUANTITIES = (*(f"{stage}_ms" for stage in STAGES), "total_ms", "ms_per_image", "ms_per_call", "ns_per_pixel")
+
 Figures = dict[str, list[float]]
-"""Quantity to its epochs in one round. Every quantity is a time, so that the lowest counts."""
+"""Quantity to its epochs in one round. Every quantity is a time."""
 
 
 class Key(NamedTuple):
@@ -43,33 +46,28 @@ class Step:
     digest: Callable[[], str]
 
 
-Samples = dict[Key, list[Figures]]
-
-
-def measure(steps: list[Step], rounds: int) -> Samples:
-    """Verifies every step, then runs in each round, in random order, what has not converged.
+def measure(steps: list[Step], rounds: int) -> pd.DataFrame:
+    """Verifies every step, then runs all in each round, in random order. A line for each epoch; the column row is
+    row_of() of step and quantity.
 
     A round takes the place of a process: this one holds arrays, OpenCV and dask's workers, which take
-    seconds to start; what is a program of its own is started in each round."""
+    seconds to start; what is a program of its own is started in each round. There is no probe, so that every epoch
+    counts as quiet."""
     seconds = _verify(steps)
-    samples: Samples = {step.key: [] for step in steps}
+    lines: list[tuple[int, str, float]] = []
     progress = Progress("measuring", rounds * sum(seconds.values()))
     for number in range(rounds):
-        work = [step for step in steps if not _converged(samples[step.key])]
-        for step in random.Random(number).sample(work, len(work)):
-            samples[step.key].append(step.run())
+        for step in random.Random(number).sample(steps, len(steps)):
+            lines += [(number, row_of(step.key, quantity), epoch)
+                      for quantity, epochs in step.run().items() for epoch in epochs]
             progress.advance(seconds[step.key])
     progress.close()
-    return samples
+    return pd.DataFrame(lines, columns=["process", "row", "ns"]).assign(before=1.0, after=1.0, cycle=1.0)
 
 
-def floors(rounds: list[Figures]) -> dict[str, Floor]:
-    """Of each quantity of a step."""
-    return {quantity: floor_of([[found[quantity]] for found in rounds]) for quantity in rounds[0]}
-
-
-def _converged(rounds: list[Figures]) -> bool:
-    return bool(rounds) and all(floor.converged for floor in floors(rounds).values())
+def row_of(key: Key, quantity: str) -> str:
+    """The name of a quantity of a step in a table of samples."""
+    return f"{key.experiment}/{key.method}/{key.x}/{quantity}"
 
 
 def _verify(steps: list[Step]) -> dict[Key, float]:

@@ -1,1 +1,1 @@
-"""From the sampler's processes to one table of times: plan, samples, estimates, timings.csv."""
+"""From processes of thinbench_benchmarks to one table of times: samples, estimates, timings.csv."""

@@ -1,29 +1,40 @@
 """Statistics of samples: one place for every time and ratio that is published.
 
-A process gives the shortest epoch of each entry, over several layouts of its memory: its floor. The
-estimate is the lowest floor on which NEEDED processes agree within TOLERANCE, each with addresses
-of its own. Whatever disturbs a computer makes calls longer, never shorter, so floors come back where
-medians do not; a lower floor that a few processes found was a lucky layout. docs/measuring.md has
-the figures.
+Beside each repetition of a row a probe runs before and after it: a few microseconds of independent additions, as many
+as a core can do. A busy neighbour on the same core makes the probe slower, and so does a slower clock. A repetition
+counts where it was quiet: neither of its probes took much longer than the fastest of the run, and both took the same.
+It counts as a multiple of its own two probes, which takes out the clock. Which repetitions count does not depend on
+what they measured, so more of them bring no bias.
 
-    time of a row      = its floor
-    speed-up of a row  = floor of the reference / floor of the row
+    time of a row     = 10 % quantile of (repetition / mean of its probes), times the probe of the run
+    speed-up of a row = time of the reference / time of the row
 
-so that every quotient of two published times is the published speed-up.
+Intervals are by bootstrap over processes, the same processes for all rows. docs/measuring.md has the figures.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
+import pandas as pd
 
-TOLERANCE, NEEDED = 0.02, 3
+FASTEST = 0.005
+"""The quantile that stands for the fastest probe of a run."""
 
-MAX_LUCKY = 1 / 12
-"""Share of processes whose lower floors may be left out. More would be a burst that disturbed the
-others."""
+GATE, AGREE = 1.06, 0.02
+"""How long a quiet probe takes at most, over the fastest, and how far the two of a repetition may differ."""
+
+QUANTILE = 0.1
+
+NEEDED, NEEDED_PROCESSES = 6, 3
+"""Quiet repetitions of a row, and processes that have one, from which on its time is settled."""
+
+RESAMPLES, LEVEL = 200, 0.95
+
+Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -36,33 +47,87 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Floor:
-    """Times of one entry, in the unit of its epochs."""
+class Time:
+    """Of a row, in ns."""
 
-    time: float
+    value: float
+    low: float
     high: float
-    """The highest of the NEEDED floors from `time` on, or of fewer: how well it comes back."""
     typical: float
-    """Median over processes of their medians: what this machine gave during the run."""
+    """Median of all repetitions, quiet or not: what this machine gave during the run."""
+    quiet: int
+    """Repetitions that count."""
     processes: int
-
-    @property
-    def converged(self) -> bool:
-        """Whether enough processes found the same."""
-        return self.processes >= NEEDED and self.high <= self.time * (1 + TOLERANCE)
+    settled: bool
+    draws: Array
+    """Values by bootstrap; those of two rows of a run belong together."""
 
 
-def floor_of(processes: Sequence[Sequence[Sequence[float]]]) -> Floor:
-    """`processes[process][layout][epoch]`; every process has at least one epoch."""
-    epochs = [[time for layout in layouts for time in layout] for layouts in processes]
-    floors = sorted(min(times) for times in epochs)
-    lucky = int(MAX_LUCKY * len(floors))
-    agreed = next((run for run in (floors[i:i + NEEDED] for i in range(lucky + 1))
-                   if run[-1] <= run[0] * (1 + TOLERANCE)), floors[:NEEDED])
-    return Floor(agreed[0], agreed[-1],
-                 float(np.median([np.median(times) for times in epochs])), len(floors))
+class Estimates:
+    """Of the rows in `own`, or in all `samples` of a run, which share one clock. Columns: process, row, ns, before,
+    after and cycle."""
+
+    def __init__(self, samples: pd.DataFrame, own: pd.DataFrame | None = None) -> None:
+        probes = samples[["before", "after"]].to_numpy()
+        self.probe_ns = float(np.quantile(probes, FASTEST))
+        quiet = self._is_quiet(samples)
+        self.quiet = float(quiet.mean())
+        cycles = (samples["cycle"] / probes.mean(axis=1))[quiet if quiet.any() else slice(None)]
+        self.cycle_ns = self.probe_ns * float(np.median(cycles))
+        table = samples if own is None else own
+        table = table.assign(quiet=self._is_quiet(table), relative=table["ns"] / table[["before", "after"]].mean(axis=1))
+        self._rows = dict(iter(table.groupby("row", sort=False)))
+        self._counts = _resampled(int(samples["process"].max()) + 1)
+        self._found: dict[str, Time] = {}
+
+    def _is_quiet(self, samples: pd.DataFrame) -> npt.NDArray[np.bool_]:
+        before, after = samples["before"].to_numpy(), samples["after"].to_numpy()
+        found: npt.NDArray[np.bool_] = ((np.maximum(before, after) < GATE * self.probe_ns) &
+                                        (np.abs(before / after - 1) < AGREE))
+        return found
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._rows
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._rows)
+
+    def time(self, name: str) -> Time:
+        """Of a row or control."""
+        if name not in self._found:
+            self._found[name] = self._time(self._rows[name])
+        return self._found[name]
+
+    def _time(self, table: pd.DataFrame) -> Time:
+        """Where too few repetitions were quiet, all count, and nothing is settled."""
+        quiet = table[table["quiet"]]
+        settled = len(quiet) >= NEEDED and quiet["process"].nunique() >= NEEDED_PROCESSES
+        used = quiet if settled else table
+        relative, process = used["relative"].to_numpy(), used["process"].to_numpy()
+        draws = self.probe_ns * _quantiles(relative, self._counts[:, process])
+        low, high = np.quantile(draws, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
+        value = self.probe_ns * float(_quantiles(relative, np.ones((1, len(relative))))[0])
+        return Time(value, min(value, float(low)), max(value, float(high)), float(table["ns"].median()), len(quiet),
+                    table["process"].nunique(), settled, draws)
 
 
-def ratio_of(above: Floor, below: Floor) -> Estimate:
-    """Of two times."""
-    return Estimate(above.time / below.time, above.time / below.high, above.high / below.time)
+def ratio_of(above: Time, below: Time) -> Estimate:
+    """Of two times of one run."""
+    value = above.value / below.value
+    low, high = np.quantile(above.draws / below.draws, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
+    return Estimate(value, min(value, float(low)), max(value, float(high)))
+
+
+def _resampled(processes: int) -> Array:
+    """How often each process is drawn, for each of the resamples; the same for all rows."""
+    drawn = np.random.default_rng(1).integers(processes, size=(RESAMPLES, processes))
+    return (drawn[:, :, None] == np.arange(processes)).sum(axis=1).astype(float)
+
+
+def _quantiles(values: Array, weights: Array) -> Array:
+    """QUANTILE of the values for each line of weights; a line without any has that of all values."""
+    order = np.argsort(values)
+    share = np.cumsum(weights[:, order], axis=1)
+    share[share[:, -1] == 0] = np.arange(1, len(values) + 1)
+    found: Array = values[order][(share < QUANTILE * share[:, -1:]).sum(axis=1)]
+    return found

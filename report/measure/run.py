@@ -5,24 +5,25 @@ from __future__ import annotations
 import json
 import lzma
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from report.errors import ReportError
-from report.files import read_bytes, read_json, to_json, write_files
-from report.measure.converge import control_flag, control_ratios
-from report.measure.sampler import Json, Samples
+from report.files import read_json, to_json, write_files
+from report.measure.benchmarks import Json, groups_of
+from report.measure.controls import control_of
+from report.measure.estimates import NEEDED, Estimates
+from report.measure.measurement import Part
 from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
 SCHEMA = 3
-RUN, TIMINGS, SAMPLES = "run.json", "timings.csv", "samples.jsonl.xz"
-
-MAX_FAILED = 0.05
-"""Share of groups whose controls may fail before the run as a whole concludes nothing."""
+RUN, TIMINGS, SAMPLES = "run.json", "timings.csv", "samples.csv.xz"
 
 @dataclass(frozen=True)
 class Run:
@@ -38,11 +39,6 @@ class Run:
         machine: Json = self.facts["machine"]
         return machine
 
-    @property
-    def is_conclusive(self) -> bool:
-        """Whether the controls passed."""
-        return bool(self.facts["controls"]["passed"])
-
 
 def load_run(directory: Path) -> Run:
     """Raises ReportError where the directory holds no run of this version."""
@@ -51,16 +47,8 @@ def load_run(directory: Path) -> Run:
     return Run(directory, facts, read_csv(directory / TIMINGS))
 
 
-def load_samples(directory: Path) -> list[Samples]:
-    """The raw samples."""
-    try:
-        return Samples.from_json_lines(read_bytes(directory / SAMPLES).decode().splitlines())
-    except (ValueError, LookupError, TypeError) as error:
-        raise ReportError(f"{directory / SAMPLES}: holds no samples: {error}") from None
-
-
 def machine_facts(program: Path, commit: str) -> Json:
-    """What the measurements depend on, told by the program that was built with the sampler."""
+    """What the measurements depend on, told by the program that was built with thinbench_benchmarks."""
     done = subprocess.run([program, "machine", "--commit", commit], check=False, text=True,
                           stdout=subprocess.PIPE)
     if done.returncode != 0:
@@ -69,51 +57,62 @@ def machine_facts(program: Path, commit: str) -> Json:
     return facts
 
 
-def write_run(directory: Path, machine: Json, options: Json,
-              parts: list[tuple[str, Samples]], name: str = "") -> Run:
-    """Makes run.json, timings.csv and samples of plans that were measured. Each part has the name
-    of its parameter sweep, "" for none. A run is named after its directory."""
+def write_run(directory: Path, machine: Json, options: Json, parts: Sequence[Part], name: str = "") -> Run:
+    """Makes run.json, timings.csv and the samples of what was measured. A run is named after its directory."""
     name = f"{machine['fingerprint']}/{name or directory.resolve().name}"
-    rows: list[Row] = []
-    for sweep, samples in parts:
-        rows += rows_of(samples, Origin(name, machine["fingerprint"], machine["commit"], sweep))
+    samples = samples_of(parts)
+    found = [(part, estimates_of(part, samples)) for part in parts]
+    rows = [row for part, times in found
+            for row in rows_of(part.facts, times, Origin(name, machine["fingerprint"], machine["commit"], part.sweep))]
     facts = {"schema": SCHEMA, "run": name, "machine": machine, "options": options,
-             "controls": controls_of([samples for _, samples in parts]),
-             "state": state_of([samples for _, samples in parts]), **_merged(parts)}
-    lines = "".join(f"{line}\n" for _, samples in parts for line in samples.to_json_lines())
-    write_files(directory, {SAMPLES: lzma.compress(lines.encode(), preset=9),
+             "controls": controls_of(found), "state": state_of(found), **_merged(found)}
+    write_files(directory, {SAMPLES: lzma.compress(samples.to_csv(index=False, float_format="%.5g").encode(), preset=6),
                             TIMINGS: to_csv(rows).encode(), RUN: to_json(facts)})
     return Run(directory, facts, rows)
 
 
-def controls_of(runs: list[Samples]) -> Json:
+def samples_of(parts: Sequence[Part]) -> pd.DataFrame:
+    """One long table of all parts."""
+    return pd.concat([part.samples.assign(sweep=part.sweep) for part in parts], ignore_index=True)
+
+
+def estimates_of(part: Part, samples: pd.DataFrame) -> Estimates:
+    """Of the rows of a part, with the clock and the gate of all samples."""
+    return Estimates(samples, samples[samples["sweep"] == part.sweep])
+
+
+def controls_of(found: Sequence[tuple[Part, Estimates]]) -> Json:
     """The A/A control and the injected slowdown of every group: medians, and how many failed."""
-    groups = [(samples, index) for samples in runs
-              for index in range(len(samples.plan["groups"]))]
-    if not groups:
-        return {"groups": 0, "same": None, "slowed": None, "failed": 0, "passed": False}
-    ratios = np.array([control_ratios(*group) for group in groups])
-    failed = sum(bool(control_flag(*group)) for group in groups)
-    same, slowed = np.median(ratios, axis=0).tolist()
-    return {"groups": len(groups), "same": same, "slowed": slowed, "failed": failed,
-            "passed": failed <= MAX_FAILED * len(groups)}
+    controls = [one for part, times in found for group in groups_of(part.facts)
+                if (one := control_of(group, times)).same is not None]
+    failed = sum(bool(one.flag) for one in controls)
+    return {"groups": len(controls), "same": _median([one.same for one in controls]),
+            "slowed": _median([one.slowed for one in controls]), "failed": failed}
 
 
-def state_of(runs: list[Samples]) -> Json:
-    """Of the machine while the runs were measured: medians over processes."""
-    processes = [process for samples in runs for process in samples.processes]
-    states = [state for process in processes for state in process.states]
-    return {"cycle_ns": float(np.median([samples.plan["cycle_ns"] for samples in runs])),
-            "foreign_load": float(np.median([process.foreign_load for process in processes])),
-            "chain_ns": float(np.median([state["chain_ns"] for state in states]))}
+def _median(values: list[Any]) -> float | None:
+    return float(np.median(values)) if values else None
 
 
-def _merged(parts: list[tuple[str, Samples]]) -> Json:
-    """Inputs, peers and skipped rows of all plans, each once."""
+def state_of(found: Sequence[tuple[Part, Estimates]]) -> Json:
+    """Of the machine while the run was measured, and how many times as long the rows that lack quiet moments need."""
+    lacking = [NEEDED / max(time.quiet, 0.5) for part, times in found for name in part.facts["rows"]
+               if name in times and not (time := times.time(name)).settled]
+    times = found[0][1]
+    return {"cycle_ns": times.cycle_ns, "probe_ns": times.probe_ns, "quiet": times.quiet,
+            "longer": max(lacking, default=1.0)}
+
+
+def _merged(found: Sequence[tuple[Part, Estimates]]) -> Json:
+    """Inputs, peers and skipped rows of all parts, each once; rows that failed are skipped, too."""
     merged: dict[str, dict[str, Any]] = {"inputs": {}, "peers": {}, "skipped": {}}
     keys = {"inputs": "name", "peers": "technique", "skipped": "row"}
-    for _, samples in parts:
+    for part, times in found:
         for kind, items in merged.items():
-            items |= {item[keys[kind]]: item for item in samples.plan[kind]}
+            items |= {item[keys[kind]]: item for item in part.facts[kind]}
+        merged["skipped"] |= {name: {"row": name, "reason": "it was not measured: it failed, or time was up"}
+                              for name in part.facts["rows"] if name not in times}
     return {kind: list(items.values()) for kind, items in merged.items()} | {
-        "verified": sum(samples.plan["verified"] for _, samples in parts)}
+        "verified": sum(part.facts["verified"] for part, _ in found)}
+
+

@@ -15,9 +15,9 @@ from typing import Any, get_args, get_type_hints
 
 from report.errors import ReportError
 from report.files import read_bytes
-from report.measure.converge import control_flag, floors
-from report.measure.estimates import Floor, ratio_of
-from report.measure.sampler import Json, Samples
+from report.measure.benchmarks import Json, groups_of
+from report.measure.controls import control_of
+from report.measure.estimates import Estimate, Estimates, Time, ratio_of
 
 REFERENCE, END_TO_END = "reference", "end_to_end"
 
@@ -82,11 +82,6 @@ class Row:  # pylint: disable=too-many-instance-attributes
         """Whether it is what a call of the library takes on one thread."""
         return self.default and self.threads == 1 and self.scope == END_TO_END
 
-    @property
-    def floor(self) -> Floor:
-        """Its time."""
-        return Floor(self.time_ns, self.high_ns, self.typical_ns, self.processes)
-
 
 @dataclass(frozen=True)
 class Origin:
@@ -98,51 +93,53 @@ class Origin:
     sweep: str = ""
 
 
-def rows_of(samples: Samples, origin: Origin) -> list[Row]:
-    """The rows of all groups of a plan."""
-    return [row for index in range(len(samples.plan["groups"]))
-            for row in _group_rows(samples, index, origin)]
+def rows_of(facts: Json, times: Estimates, origin: Origin) -> list[Row]:
+    """All rows that were measured."""
+    return [row for names in groups_of(facts)
+            for row in _group_rows(facts, [name for name in names if name in times], times, origin)]
 
 
-def _group_rows(samples: Samples, index: int, origin: Origin) -> Iterator[Row]:
-    """Without the controls."""
-    plan = samples.plan
-    equal_peers = {peer["technique"] for peer in plan["peers"] if peer["equal_output"]}
-    found = [(plan["rows"][entry["name"]], floor)
-             for entry, floor in zip(plan["groups"][index]["entries"], floors(samples, index))
-             if entry["role"] == "row"]
-    reference = next((floor for facts, floor in found if facts["technique"] == REFERENCE), None)
-    peers = [(floor, facts["technique"]) for facts, floor in found
-             if facts["peer"] and facts["technique"] in equal_peers]
-    peer = min(peers, key=lambda one: one[0].time, default=None)
-    failed = control_flag(samples, index)
-    for facts, floor in found:
-        own = facts["peer"] or facts["scope"] != END_TO_END
-        verified = not facts["peer"] or facts["technique"] in equal_peers
-        yield _row(plan, facts, floor, reference, None if own else peer, failed, verified, origin)
+def _group_rows(facts: Json, names: list[str], times: Estimates, origin: Origin) -> Iterator[Row]:
+    equal_peers = {peer["technique"] for peer in facts["peers"] if peer["equal_output"]}
+    rows = facts["rows"]
+    reference = next((times.time(name) for name in names if rows[name]["technique"] == REFERENCE), None)
+    peer = min((name for name in names if rows[name]["peer"] and rows[name]["technique"] in equal_peers),
+               key=lambda name: times.time(name).value, default=None)
+    failed = control_of(names, times).flag
+    for name in names:
+        row = rows[name]
+        own = row["peer"] or row["scope"] != END_TO_END
+        over = None if own or peer is None else (times.time(peer), rows[peer]["technique"])
+        yield _row(facts, row, times.time(name), reference, over, failed,
+                   not row["peer"] or row["technique"] in equal_peers, origin)
 
 
-def _row(plan: Json, facts: Json, floor: Floor, reference: Floor | None,
-         peer: tuple[Floor, str] | None, failed: str, verified: bool, origin: Origin) -> Row:
-    size = next(item for item in plan["inputs"] if item["name"] == facts["input"])
-    speedup = ratio_of(reference, floor) if reference else None
-    over_peer = ratio_of(peer[0], floor) if peer else None
-    settled = floor.converged and (reference is None or reference.converged)
+def _row(facts: Json, row: Json, time: Time, reference: Time | None, peer: tuple[Time, str] | None, failed: str,
+         verified: bool, origin: Origin) -> Row:
+    size = next(item for item in facts["inputs"] if item["name"] == row["input"])
+    speedup = ratio_of(reference, time) if reference else None
+    over_peer = ratio_of(peer[0], time) if peer else None
+    settled = time.settled and (reference is None or reference.settled)
     return Row(
-        **{key: facts[key] for key in ("operation", "technique", "isa", "threads", "scope", "input",
-                                       "plan_bytes", "border", "max_iterations", "peer", "default",
-                                       "scalar")},
-        width=size["width"], height=size["height"], passes=facts["counter"],
-        time_ns=floor.time, high_ns=floor.high, typical_ns=floor.typical,
-        ns_per_pixel=floor.time / (size["width"] * size["height"]), verified=verified,
+        **{key: row[key] for key in ("operation", "technique", "isa", "threads", "scope", "input",
+                                     "plan_bytes", "border", "max_iterations", "peer", "default",
+                                     "scalar")},
+        width=size["width"], height=size["height"], passes=row["counter"],
+        time_ns=time.value, high_ns=time.high, typical_ns=time.typical,
+        ns_per_pixel=time.value / (size["width"] * size["height"]), verified=verified,
         speedup_vs_reference=speedup.value if speedup else None,
         speedup_low=speedup.low if speedup else None,
-        speedup_high=speedup.high if speedup else None, processes=floor.processes,
+        speedup_high=speedup.high if speedup else None, processes=time.processes,
         flags=failed if settled else "open",
         speedup_vs_peer=over_peer.value if over_peer else None,
         peer_low=over_peer.low if over_peer else None,
         peer_high=over_peer.high if over_peer else None, peer_name=peer[1] if peer else "",
         run=origin.run, machine=origin.machine, commit=origin.commit, sweep=origin.sweep)
+
+
+def row_ratio(above: Row, below: Row) -> Estimate:
+    """Of the times of two rows, from what the table says of them: wider than it need be."""
+    return Estimate(above.time_ns / below.time_ns, above.time_ns / below.high_ns, above.high_ns / below.time_ns)
 
 
 def to_csv(rows: Iterable[Row]) -> str:

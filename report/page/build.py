@@ -12,15 +12,15 @@ from report.formatting import variant
 from report.measure.run import load_run
 from report.measure.timings import Row
 from report.page.experiments import experiment_tables, load_experiments
-from report.page.headline import HEADER, LAYOUT, headline_cells, headline_table
+from report.page.headline import headline_table
 from report.page.html import to_html
 from report.page.operations import Headline, Rows, label
 from report.page.overview import overview
 from report.page.sentences import origin, sentences, warnings
 from report.page.table_two import table_two
-from report.page.tables import to_latex, to_markdown
+from report.page.tables import to_markdown
 
-PAGE, MARKDOWN, CLAIMS, LATEX = "index.html", "timings.md", "claims.md", "headline.tex"
+PAGE, MARKDOWN, CLAIMS = "index.html", "timings.md", "claims.md"
 
 
 def build_page(directory: Path) -> str:
@@ -29,12 +29,11 @@ def build_page(directory: Path) -> str:
     lines = rows.headlines()
     experiments = load_experiments(directory)
     claims = judge(rows, experiments)
-    svg, png = overview(rows, lines)
+    svg = overview(rows, lines)
     write_files(directory, {
-        "overview.svg": svg.encode(), "overview.png": png,
+        "overview.svg": svg.encode(),
         MARKDOWN: _timings(rows, lines).encode(),
         CLAIMS: claims_to_markdown(claims, origin(rows.run)).encode(),
-        LATEX: to_latex(HEADER, headline_cells(lines), LAYOUT).encode(),
         PAGE: to_html(rows, lines, svg, claims,
                       [table_two(rows), *experiment_tables(experiments)]).encode()})
     return summary(rows, lines, directory)
@@ -66,6 +65,6 @@ def _case_table(rows: list[Row]) -> str:
               duration(row.high_ns), duration(row.typical_ns), speedup_text(row),
               times(row.speedup_vs_peer) if row.speedup_vs_peer else NOTHING, flag_text(row, ""))
              for row in sorted(rows, key=lambda row: row.time_ns)]
-    return markdown_table(("technique", "ISA", "time", "third process", "typical",
+    return markdown_table(("technique", "ISA", "time", "up to", "typical",
                            "over plain C++", "over peer", "flags"), cells,
                           frozenset((2, 3, 4, 5, 6)))

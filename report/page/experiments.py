@@ -9,7 +9,7 @@ from typing import Any
 from report.building import ROOT
 from report.files import read_json
 from report.formatting import NOTHING, counted
-from report.measure.sampler import Json
+from report.measure.benchmarks import Json
 from report.page.operations import label
 from report.page.tables import Table
 from report.schemas import check_schema

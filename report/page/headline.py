@@ -1,4 +1,4 @@
-"""The first table, as the page, timings.md, the README and LaTeX have it."""
+"""The first table, as the page, timings.md and the README have it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from report.page.operations import Headline
 
 HEADER = ("operation", "time", "technique", "over plain C++", "over best scalar", "AVX2",
           "peer, equal output", "copy bound")
-LAYOUT = "lrlrrrrr"
 README_HEADER = ("operation", "time", "technique", "speed-up over plain reference",
                  "against OpenCV (equal output)")
 

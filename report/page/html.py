@@ -13,7 +13,6 @@ from report.errors import ReportError
 from report.formatting import counted, duration, flag_text, interval, times, variant
 from report.page.charts import chart_groups
 from report.page.families import FAMILIES
-from report.page.limits import load_limits
 from report.page.operations import Headline, Rows, peer_title
 from report.page.pictures import Pictures
 from report.page.provenance import provenance, skipped
@@ -25,7 +24,7 @@ from report.sweeps.series import load_sweep_rows
 CHART_JS = Path("/usr/share/javascript/chart.js/chart.min.js")
 NO_BREAK = "\N{NO-BREAK SPACE}"
 TEMPLATES = Path(__file__).parent / "templates"
-FILES = ("timings.csv", "timings.md", "claims.md", "headline.tex", "overview.svg", "overview.png")
+FILES = ("timings.csv", "timings.md", "claims.md", "overview.svg")
 
 
 def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
@@ -33,13 +32,12 @@ def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
     """The page; `svg` is the overview."""
     run = rows.run
     pictures = Pictures(run.directory, rows)
-    limits = load_limits(run.directory)
     sweeps = load_sweep_rows(run.directory)
     return _environment().get_template("page.html.j2").render(
         run=run, date=date_of(run), lines=lines, input=rows.input, claims=claims, files=FILES,
         overview=Markup(svg), sentences=[*map(_with_figures, sentences(rows, lines))],
         warnings=warnings(run), peers=_peers(rows, lines), pictures=pictures.first(),
-        sections=sections(rows, pictures, limits), limits=limits,
+        sections=sections(rows, pictures),
         charts=chart_groups(rows, [*sweeps, *run.rows]), experiments=experiments,
         facts=provenance(run), skipped=skipped(run), families=[vars(one) for one in FAMILIES],
         implied=IMPLIED, chart_js=Markup(chart_js()))

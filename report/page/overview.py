@@ -28,13 +28,10 @@ STYLE = {
     "ytick.color": INK, "xtick.major.size": 0, "ytick.major.size": 0}
 
 
-def overview(rows: Rows, lines: list[Headline]) -> tuple[str, bytes]:
-    """SVG and PNG, which are the same for the same run."""
+def overview(rows: Rows, lines: list[Headline]) -> str:
+    """SVG, the same for the same run."""
     with matplotlib.style.context(STYLE, after_reset=True):
-        figure = _figure(rows, lines)
-        svg, png = svg_of(figure), io.BytesIO()
-        figure.savefig(png, format="png", dpi=110, metadata={"Software": None})
-    return _without_size(svg), png.getvalue()
+        return _without_size(svg_of(_figure(rows, lines)))
 
 
 def svg_of(figure: Figure) -> str:

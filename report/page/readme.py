@@ -145,11 +145,10 @@ def _pages(run: Run, folder: Path) -> str:
     where = os.path.relpath(run.directory, folder)
     open_rows = sum(row.flags == "open" for row in run.rows)
     failed, groups = (run.facts["controls"][name] for name in ("failed", "groups"))
-    verdict = "" if run.is_conclusive else ", over 5 %: differences between rows are inconclusive"
     return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread; run of commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
-            f"{open_rows:,} of {len(run.rows):,} results did not settle, and the controls of {failed} of {groups} groups "
-            f"failed{verdict}.\n")
+            f"{open_rows:,} of {len(run.rows):,} results had too few quiet moments, and the controls of {failed} of {groups} groups "
+            f"failed.\n")
 
 
 def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
@@ -157,5 +156,4 @@ def _many_images(results: list[Result], words: list[str], file: Path, folder: Pa
         raise ReportError(f"'many-images {' '.join(words)}': expected one of {', '.join(TABLES)}")
     one = results[0]
     return (f"{TABLES[words[0]](results)}\nRun of commit {one.commit} on {one.processor} ({one.machine}), {one.cores} "
-            f"cores, of which other processes kept {three_digits(one.foreign_load)} busy: "
-            f"[all figures]({os.path.relpath(file, folder)}).\n")
+            f"cores: [all figures]({os.path.relpath(file, folder)}).\n")

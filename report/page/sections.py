@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from report.formatting import NOTHING, counted, duration, interval, scope_label, times
 from report.measure.timings import Row
 from report.page.families import FAMILIES, family
-from report.page.limits import Limits
 from report.page.operations import Headline, Rows, label, title
 from report.page.pictures import Picture, Pictures
 
@@ -41,19 +40,18 @@ class Section:
     header: tuple[str, ...]
     first_number: int
     lines: tuple[Line, ...]
-    limits: list[tuple[str, ...]]
 
 
 Column = tuple[str, Callable[[Row], Cell]]
 
 
-def sections(rows: Rows, pictures: Pictures, limits: Limits) -> list[Section]:
+def sections(rows: Rows, pictures: Pictures) -> list[Section]:
     """In the order of the page."""
     names = list(dict.fromkeys(case.partition(":")[0] for case in rows.cases))
-    return [_section(rows, name, pictures, limits) for name in names]
+    return [_section(rows, name, pictures) for name in names]
 
 
-def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Section:
+def _section(rows: Rows, name: str, pictures: Pictures) -> Section:
     cases = [case for case in rows.cases if case.partition(":")[0] == name]
     own = [row for row in rows.rows if row.operation == name]
     copy = rows.copy(cases[0])
@@ -65,7 +63,7 @@ def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Secti
     picture = next((found for case in cases if (found := pictures.of_case(case))), None)
     bound = _bound(rows.headline(cases[0]))
     return Section(name, label(name), title(name), picture, bound,
-                   tuple(words for words, _ in columns), texts, lines, limits.rows.get(name, []))
+                   tuple(words for words, _ in columns), texts, lines)
 
 
 IMPLIED = ("Options", "Scope", "Image")
@@ -84,7 +82,7 @@ def _columns(rows: list[Row]) -> list[Column]:
                            ("Flags", lambda row: Cell(row.flags)),
                            ("Threads", lambda row: Cell(str(row.threads), str(row.threads))),
                            ("Time", lambda row: Cell(duration(row.time_ns), _number(row.time_ns))),
-                           ("Highest of three", lambda row: Cell(duration(row.high_ns),
+                           ("Up to", lambda row: Cell(duration(row.high_ns),
                                                               _number(row.high_ns))),
                            ("Typical", lambda row: Cell(duration(row.typical_ns),
                                                         _number(row.typical_ns))),

@@ -1,29 +1,30 @@
-"""Comparison of two builds: processes of both alternate, and their floors are compared.
+"""Comparison of two builds: processes of both alternate, and their times are compared.
 
-Each process measures one group, without references, in about 0.1 s. Processes of both builds follow
-each other in pairs, so that both meet the same states of the machine. docs/regression.md has the
-figures that these choices rest on.
+Each process measures one group, in about 0.1 s. Processes of both builds follow each other in pairs, so that both meet
+the same states of the machine. docs/regression.md has the figures that these choices rest on.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from report.errors import ReportError
-from report.measure.converge import floors
-from report.measure.estimates import Floor, floor_of, ratio_of
-from report.measure.sampler import Json, Sampler, Samples, seconds_of
+import numpy as np
+import pandas as pd
+from scipy import stats
+
+from report.measure.benchmarks import AGAIN, SLOWED, Benchmarks, Json, groups_of, with_rows
+from report.measure.estimates import Estimate, Estimates, Time
 from report.measure.timings import REFERENCE
 from report.progress import Progress
-from report.regress.verdicts import EXIT_STATUS, RowVerdict, Times, Verdict, judge, skipped
+from report.regress.verdicts import RowVerdict, Times, Verdict, judge, skipped
 
 PAIRS = 9
 """In a round."""
 
-VISITS = 8
-"""Epochs of a row in each process."""
+OPTIONS = ("--seconds-per-row", "0.006")
+"""Of each process."""
 
 LIMIT = 0.025
 """Tolerated loss of speed; the A/A control widens it."""
@@ -31,120 +32,105 @@ LIMIT = 0.025
 MAX_LIMIT = 0.04
 """As far as that; beyond it nothing can be said."""
 
-PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
-
-
-Job = tuple[Sampler, Samples]
-"""A program and what it found."""
+FALSE_ALARMS = 0.05
+"""Accepted chance that any row of a comparison fails by luck: intervals are wider where more rows are compared."""
 
 
 @dataclass
 class Pair:
-    """A group, measured in both builds. The plans differ in the self-test only."""
+    """A group of rows that both builds know, and what processes of both found."""
 
-    before: Samples
-    now: Samples
+    facts: tuple[Json, Json]
+    """Of the build before and the one now."""
+    tables: list[pd.DataFrame] = field(default_factory=list)
+    """One for each pair of processes, with the column build: 0 before, 1 now."""
 
     @property
-    def group(self) -> Json:
-        """As planned."""
-        group: Json = self.now.plan["groups"][0]
-        return group
+    def rows(self) -> list[str]:
+        """Of the group."""
+        return list(self.facts[0]["rows"])
 
 
-def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
-    """The rows that both builds know, with equal results, and why others are missing."""
-    if len({frozenset(entry) for plan in (before, now) for group in plan["groups"] for entry in group["entries"]}) > 1:
-        raise ReportError("nothing was compared: the other build measures in another way; "
-                          "--counts-only compares instructions",
-                          EXIT_STATUS[Verdict.SKIPPED])
-    results = [_results(plan) for plan in (before, now)]
+def common_pairs(before: Json, now: Json) -> tuple[list[Pair], list[RowVerdict]]:
+    """Groups of the rows that both builds know, with equal results, and why others are missing."""
+    results = [{name: row["hash"] for name, row in facts["rows"].items() if row["technique"] != REFERENCE}
+               for facts in (before, now)]
     common = {name for name, result in results[0].items() if results[1].get(name) == result}
-    kept = [lean for group in now["groups"] if (lean := _lean_group(group, common))]
-    measured = {entry["name"] for group in kept for entry in group["entries"]}
-    left_out = [skipped(name, _why_left_out(name, *results))
-                for name in sorted(results[1].keys() - measured)]
+    pairs = [Pair((with_rows(before, group), with_rows(now, group))) for names in groups_of(now)
+             if (group := [name for name in names if name in common])]
+    left_out = [skipped(name, _why_left_out(name, *results)) for name in sorted(results[1].keys() - common)]
     reasons = {row["row"]: row["reason"] for row in now["skipped"]}
     left_out += [skipped(name, reasons.get(name, "this build has no such row"))
                  for name in sorted(results[0].keys() - results[1].keys())]
-    return now | {"groups": kept}, left_out
-
-
-def measure_in_turn(what: str, sets: Sequence[Sequence[Job]], rounds: range) -> None:
-    """A process of each job for each round: the sets in random order, the jobs of a set one after
-    the other, every other time from the last to the first."""
-    progress = Progress(what, len(rounds) * sum(_seconds(job) for jobs in sets for job in jobs))
-    for seed in rounds:
-        for jobs in random.Random(seed).sample(sets, len(sets)):
-            for job in jobs if seed % 2 else reversed(jobs):
-                sampler, samples = job
-                samples.processes.append(sampler.measure(samples.plan, seed))
-                progress.advance(_seconds(job))
-    progress.close()
-
-
-def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
-    """On the rows of a group."""
-    limit, doubt = _limit(pair)
-    for entry, before, now in zip(pair.group["entries"], floors(pair.before, 0),
-                                  floors(pair.now, 0)):
-        if entry["role"] != "row":
-            continue
-        if entry["threaded"] and not judge_threads:
-            yield skipped(entry["name"], "threads are judged with --judge-threads only")
-            continue
-        change = ratio_of(before, now)
-        row = RowVerdict(entry["name"], judge(change, limit), "", change, limit,
-                         Times(before.time), Times(now.time))
-        yield row.doubted(doubt) if doubt else row
-
-
-def _seconds(job: Job) -> float:
-    return PROCESS_SECONDS + seconds_of(job[1].plan)
-
-
-def _results(plan: Json) -> dict[str, str]:
-    """Hashes of results, without references, which are no part of the comparison."""
-    return {entry["name"]: entry["hash"] for group in plan["groups"] for entry in group["entries"]
-            if entry["name"].split("/")[1] != REFERENCE}
-
-
-def _lean_group(group: Json, common: set[str]) -> Json | None:
-    """With common rows only, and None where the controls are not among them."""
-    entries = [entry | {"visits": VISITS, "seconds": VISITS * VISIT_SECONDS}
-               for entry in group["entries"] if entry["name"] in common]
-    if not any(entry["role"] == "same" for entry in entries):
-        return None
-    return group | {"entries": entries, "layouts": 1}
+    return pairs, left_out
 
 
 def _why_left_out(name: str, before: dict[str, str], now: dict[str, str]) -> str:
-    if name not in before:
-        return "new: there is nothing to compare with"
-    if before[name] != now[name]:
-        return "another result than in the other build"
-    return "the rows that it is measured beside are not the same in both builds"
+    return ("new: there is nothing to compare with" if name not in before
+            else "another result than in the other build")
 
 
-def _limit(pair: Pair) -> tuple[float, str]:
+def measure_in_turn(builds: tuple[Benchmarks, Benchmarks], pairs: Sequence[Pair], seeds: Sequence[int]) -> None:
+    """A process of each build for each group and seed: the groups in random order, the builds one after the other,
+    every other time the other way round."""
+    progress = Progress("measuring both builds", len(seeds) * len(pairs))
+    for seed in seeds:
+        for pair in random.Random(seed).sample(list(pairs), len(pairs)):
+            found = {build: builds[build].measure(pair.facts[build], OPTIONS).assign(build=build)
+                     for build in ((0, 1) if seed % 2 else (1, 0))}
+            pair.tables.append(pd.concat(found.values(), ignore_index=True))
+            progress.advance(1)
+    progress.close()
+
+
+def verdicts_of(pair: Pair, judge_threads: bool, compared: int, first: int = 0) -> Iterator[RowVerdict]:
+    """On the rows of a group, of `compared` rows in all, by its tables from `first` on."""
+    times = times_of(pair.tables[first:])
+    limit, doubt = _limit(pair, times, compared)
+    for name in pair.rows:
+        if pair.facts[1]["rows"][name]["threads"] > 1 and not judge_threads:
+            yield skipped(name, "threads are judged with --judge-threads only")
+            continue
+        if not all(key in times for key in keys_of(name)):
+            yield skipped(name, "it failed while it was measured; see above")
+            continue
+        before, now = (times.time(key) for key in keys_of(name))
+        change = change_of(before, now, compared)
+        row = RowVerdict(name, judge(change, limit), "", change, limit, Times(before.value), Times(now.value))
+        why = doubt or ("" if before.settled and now.settled else "too few moments were quiet")
+        yield row.doubted(why) if why else row
+
+
+def keys_of(name: str) -> tuple[str, str]:
+    """How a row is called in the times of both builds."""
+    return f"0:{name}", f"1:{name}"
+
+
+def times_of(tables: Sequence[pd.DataFrame]) -> Estimates:
+    """Of both builds, a pair of processes being one process: so they are drawn together."""
+    samples = pd.concat([table.assign(process=number) for number, table in enumerate(tables)], ignore_index=True)
+    return Estimates(samples.assign(row=samples["build"].astype(str) + ":" + samples["row"]))
+
+
+def change_of(before: Time, now: Time, compared: int) -> Estimate:
+    """Of the speed. The interval holds with a chance of error that all rows share."""
+    logs = np.log(before.draws / now.draws)
+    value = before.value / now.value
+    spread = float(stats.norm.isf(FALSE_ALARMS / 2 / max(compared, 1)) * logs.std())
+    return Estimate(value, value * float(np.exp(-spread)), value * float(np.exp(spread)))
+
+
+def _limit(pair: Pair, times: Estimates, compared: int) -> tuple[float, str]:
     """The tolerated loss, and what is wrong with the controls of both builds, if anything."""
-    control, same, slowed = _controls(pair)
-    apart = abs(ratio_of(control, same).value - 1)
+    base = next((name for name in pair.rows if all(key + AGAIN in times and key + SLOWED in times and key in times
+                                                   for key in keys_of(name))), None)
+    if base is None:
+        return LIMIT, "the controls were not measured"
+    found = [[times.time(key + what) for what in ("", AGAIN, SLOWED)] for key in keys_of(base)]
+    apart = max(abs(own.value / same.value - 1) for own, same, _ in found)
     if apart > MAX_LIMIT:
         return MAX_LIMIT, f"a row differs from itself by {100 * apart:.1f} %"
     limit = max(LIMIT, apart)
-    if judge(ratio_of(control, slowed), limit) != Verdict.FAIL:
+    if all(judge(change_of(own, slowed, compared), limit) == Verdict.PASS for own, _, slowed in found):
         return limit, "the injected slowdown of 10 % was not found"
     return limit, ""
-
-
-def _controls(pair: Pair) -> tuple[Floor, Floor, Floor]:
-    """A row, the same row again, and the one that is slowed down; processes of both builds."""
-    entries = pair.group["entries"]
-    same, slowed = ([entry["role"] for entry in entries].index(role)
-                    for role in ("same", "slowed"))
-    control = [entry["name"] for entry in entries].index(entries[same]["name"])
-    processes = pair.before.processes + pair.now.processes
-    found = [floor_of([process.groups[0][entry] for process in processes])
-             for entry in (control, same, slowed)]
-    return found[0], found[1], found[2]

@@ -12,8 +12,9 @@ from report.building import ROOT, build
 from report.errors import ReportError
 from report.files import to_json, write_file, write_files
 from report.git import commit_name, git, is_clean
+from report.measure.benchmarks import Benchmarks, Json
+from report.measure.measurement import measured
 from report.measure.run import machine_facts
-from report.measure.sampler import Json, Sampler
 from report.regress import counts, output, self_test, stored, times
 from report.regress.machine_code import same_isas
 from report.regress.verdicts import EXIT_STATUS, WRONG_USAGE, Layer, Verdict, exit_status
@@ -111,8 +112,8 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         parser.error("--reason needs --update")
     if options.against is not None and options.base_build is not None:
         parser.error("--against builds a commit, --base-build is a build: give one of them")
-    if options.base_build and not options.counts_only and not (options.base_build / "thinbench_sampler").is_file():
-        parser.error(f"--base-build: '{options.base_build}' holds no program thinbench_sampler, which only "
+    if options.base_build and not options.counts_only and not (options.base_build / "thinbench_benchmarks").is_file():
+        parser.error(f"--base-build: '{options.base_build}' holds no program thinbench_benchmarks, which only "
                      "--counts-only does without")
     if options.update:
         _check_update(parser, options)
@@ -136,7 +137,7 @@ def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) 
 
 def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
     if options.self_test:
-        return self_test.run(builder(ROOT, ("thinbench_study", "thinbench_sampler")),
+        return self_test.run(builder(ROOT, ("thinbench_study", "thinbench_benchmarks")),
                              options.quick)
     programs = builder(ROOT, _targets(options))
     machine = machine_facts(programs / "thinbench-study", commit_name())
@@ -151,7 +152,7 @@ def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
 
 def _targets(options: argparse.Namespace) -> tuple[str, ...]:
     counting = () if options.no_instructions else ("thinbench_counted_calls",)
-    timing = () if options.counts_only else ("thinbench_sampler",)
+    timing = () if options.counts_only else ("thinbench_benchmarks",)
     return ("thinbench_study", *counting, *timing)
 
 
@@ -171,7 +172,7 @@ def _base_programs(options: argparse.Namespace, builder: Builder) -> Path | None
 
 
 def _check_programs(options: argparse.Namespace, tree: Path) -> None:
-    needed = "bench/study" if options.counts_only else "bench/measure/sampler.cpp"
+    needed = "bench/study" if options.counts_only else "bench/measure/probe.cpp"
     if not (tree / needed).exists():
         raise ReportError(f"nothing was compared: commit {options.against} has no {needed}",
                           EXIT_STATUS[Verdict.SKIPPED])
@@ -211,11 +212,11 @@ def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | 
 
 def _compare_times(options: argparse.Namespace, programs: Path, before: Path | None,
                    same: set[str], machine: Json) -> Layer:
-    sampler, words = Sampler(programs / "thinbench_sampler"), _plan_words(options)
+    benchmarks, words = Benchmarks(programs / "thinbench_benchmarks"), _words(options)
     if before is None:
-        return times.against_stored(sampler, words, machine, _files(options, machine)[0],
+        return times.against_stored(benchmarks, words, machine, _files(options, machine)[0],
                                     options.judge_threads, _is_part(options))
-    return times.between_builds(Sampler(before / "thinbench_sampler"), sampler, words, same,
+    return times.between_builds((Benchmarks(before / "thinbench_benchmarks"), benchmarks), words, same,
                                 options.judge_threads)
 
 
@@ -232,9 +233,9 @@ def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
     if not options.no_instructions:
         outputs[counts_file.name] = to_json(counts.count(programs / "thinbench-study",
                                                          _count_words(options)))
-    sampler = Sampler(programs / "thinbench_sampler")
-    now = stored.measured_from(times.measure(sampler, sampler.plan(_plan_words(options)),
-                                             stored.UPDATE_SECONDS))
+    benchmarks = Benchmarks(programs / "thinbench_benchmarks")
+    facts = benchmarks.verify(_words(options))
+    now = stored.measured_from(facts, measured(benchmarks, facts, stored.UPDATE_PROCESSES))
     if why_not := stored.why_unfit(now):
         raise ReportError(f"no baseline was written: {why_not}; a quiet machine is needed",
                           EXIT_STATUS[Verdict.INCONCLUSIVE])
@@ -249,7 +250,7 @@ def _files(options: argparse.Namespace, machine: Json) -> tuple[Path, Path]:
     return options.baselines / f"{name}.json", options.baselines / f"{name}-instructions.json"
 
 
-def _plan_words(options: argparse.Namespace) -> list[str]:
+def _words(options: argparse.Namespace) -> list[str]:
     variants = "usual" if options.filter == FILTER else "all"
     return ["--no-peers", "--variants", variants, "--filter", options.filter,
             *input_words(options)]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from report.errors import ReportError
 from report.files import read_json
-from report.measure.sampler import Json
+from report.measure.benchmarks import Json
 from report.regress.verdicts import Layer, RowVerdict, Verdict, layer_of, skipped
 from report.schemas import check_schema
 

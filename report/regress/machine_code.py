@@ -35,9 +35,9 @@ def _index(name: str, isas: list[str]) -> int:
 
 
 def _objects(programs: Path) -> dict[str, str]:
-    """Hashes of what the sampler was linked from: code, data and relocations of each object."""
+    """Hashes of what the benchmarks were linked from: code, data and relocations of each object."""
     build = programs.parent
-    done = subprocess.run(["ninja", "-C", str(build), "-t", "inputs", "bin/thinbench_sampler"],
+    done = subprocess.run(["ninja", "-C", str(build), "-t", "inputs", "bin/thinbench_benchmarks"],
                           check=False, text=True, capture_output=True)
     names = [line for line in done.stdout.splitlines() if line.endswith(".o")]
     if done.returncode != 0 or not all((build / name).exists() for name in names):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from xml.etree import ElementTree
 
 from report.measure.estimates import Estimate
-from report.measure.sampler import Json
+from report.measure.benchmarks import Json
 from report.regress.verdicts import Layer, RowVerdict, Times, Verdict
 
 ORDER = [Verdict.FAIL, Verdict.INCONCLUSIVE, Verdict.SKIPPED, Verdict.PASS]

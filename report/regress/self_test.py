@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import os
 import random
 import signal
@@ -12,14 +11,16 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
-from functools import partial
 from itertools import islice
 from pathlib import Path
 
+import pandas as pd
+
+from report.measure.benchmarks import AGAIN, SLOWED, Benchmarks, Json
+from report.measure.measurement import measured
 from report.measure.run import machine_facts
-from report.measure.sampler import Json, Process, Sampler, Samples
 from report.regress import builds, stored, times
+from report.regress.builds import Pair
 from report.regress.verdicts import MAX_ROUNDS, RowVerdict, Verdict, decide
 
 FILTER = ("^(skeleton_scan/.*bitpacked|edges_sobel/simd_16bit|holes/.*_runs)/[a-z0-9.]+/1/"
@@ -37,123 +38,79 @@ NEEDED = {5: 0.8, 10: 0.9}
 FALSE_ALARMS = 0.001
 """Share of trials without a slowdown that may be FAIL."""
 
-RECORDED = 2 * builds.PAIRS * MAX_ROUNDS
-"""Processes: a trial without a verdict to the end."""
+RECORDED = builds.PAIRS * MAX_ROUNDS
+"""Pairs of processes: a trial without a verdict to the end."""
 
 WARM_UP_SECONDS = 0.5
 
 
 def run(programs: Path, quick: bool) -> tuple[str, int]:
     """The tables and the exit status: 0 where everything holds."""
-    sampler = Sampler(programs / "thinbench_sampler")
+    benchmarks = Benchmarks(programs / "thinbench_benchmarks")
     machine = machine_facts(programs / "thinbench-study", "self-test")
-    plan = sampler.plan(["--no-peers", "--variants", "highest", "--filter", FILTER])
-    parts = [_replay(sampler, plan, 100 if quick else 500), _live(sampler, plan),
-             _stored(sampler, plan, machine, 4 if quick else 16)]
+    facts = benchmarks.verify(["--no-peers", "--variants", "highest", "--filter", FILTER])
+    parts = [_replay(benchmarks, facts, 100 if quick else 500), _stored(benchmarks, facts, machine, 4 if quick else 16)]
     good = all(passed for _, passed in parts)
     return ("\n".join([*(text for text, _ in parts), f"self-test {'PASS' if good else 'FAIL'}"]),
             0 if good else 1)
 
 
-def _replay(sampler: Sampler, plan: Json, trials: int) -> tuple[str, bool]:
+def _replay(benchmarks: Benchmarks, facts: Json, trials: int) -> tuple[str, bool]:
     """Trials on recorded processes, one row of one build slowed down afterwards."""
     lines, good, alarms = [f"Two builds, {trials} trials each on recorded processes:",
                            "  load       slower   FAIL  INCONCLUSIVE  PASS   pairs"], True, 0
     for load, scripts in LOADS.items():
+        _say(f"recording, {load}")
+        pairs = builds.common_pairs(facts, facts)[0]
         with _load(scripts):
-            groups = _record(sampler, plan, f"recording, {load}")
+            builds.measure_in_turn((benchmarks, benchmarks), pairs, range(RECORDED))
         for percent in SLOWER:
-            found, pairs = replay(groups, percent, trials)
+            found, mean = replay(pairs, percent, trials)
             lines.append(f"  {load:9}  {percent:4} %  " + "".join(
                 f"{100 * found[verdict] / trials:{width}.1f} %" for verdict, width in
                 ((Verdict.FAIL, 6), (Verdict.INCONCLUSIVE, 11), (Verdict.PASS, 6)))
-                + f"  {pairs:.0f}")
+                + f"  {mean:.0f}")
             alarms += found[Verdict.FAIL] if percent == 0 else 0
             good &= found[Verdict.FAIL] >= NEEDED.get(percent, 0) * trials
     return "\n".join(lines), good and alarms <= FALSE_ALARMS * trials * len(LOADS)
 
 
-def _record(sampler: Sampler, plan: Json, what: str) -> list[Samples]:
-    """Processes of each group as a comparison of builds starts them."""
-    common = builds.common_plan(plan, plan)[0]
-    groups = [Samples(common | {"groups": [group]}) for group in common["groups"]]
-    builds.measure_in_turn(what, [[(sampler, group)] for group in groups], range(RECORDED))
-    return groups
-
-
-def replay(groups: Sequence[Samples], percent: float, trials: int) -> tuple[Counter[Verdict], float]:
+def replay(pairs: Sequence[Pair], percent: float, trials: int) -> tuple[Counter[Verdict], float]:
     """What becomes of a row that one build computes in so many percent more time, and the mean
-    number of pairs that it takes. Each trial starts at another process."""
+    number of pairs that it takes. Each trial draws its own order of the recorded pairs, and which build is which."""
     dice = random.Random(percent)
     found: Counter[Verdict] = Counter()
-    pairs = 0
+    taken = 0
+    compared = sum(len(pair.rows) for pair in pairs)
     for _ in range(trials):
-        group = dice.choice(groups)
-        name = dice.choice([entry["name"] for entry in group.plan["groups"][0]["entries"]
-                            if entry["role"] == "row"])
-        pair = builds.Pair(Samples(group.plan), Samples(group.plan))
-        source = _from(group, name, percent, dice)
-        row, = decide(partial(_replayed_round, pair, source), {name})
+        source = dice.choice(pairs)
+        name = dice.choice(source.rows)
+        drawn = iter([_slower(_swapped(table, dice.random() < 0.5), name, 1 + percent / 100)
+                      for table in dice.sample(source.tables, len(source.tables))])
+        trial = Pair(source.facts)
+
+        def replayed(_: int, __: set[str] | None, alone: set[str], trial: Pair = trial,
+                     drawn: Iterator[pd.DataFrame] = drawn) -> list[RowVerdict]:
+            trial.tables += islice(drawn, builds.PAIRS)
+            return list(builds.verdicts_of(trial, False, compared, -builds.PAIRS if alone else 0))
+
+        row, = decide(replayed, {name})
         found[row.verdict] += 1
-        pairs += len(pair.now.processes)
-    return found, pairs / trials
+        taken += len(trial.tables)
+    return found, taken / trials
 
 
-def _from(group: Samples, name: str, percent: float,
-          dice: random.Random) -> Iterator[tuple[Process, Process]]:
-    """Pairs of neighbours in random order, the second of which is slower."""
-    start, count = dice.randrange(len(group.processes)), len(group.processes)
-    for index in range(0, count - 1, 2):
-        both = [group.processes[(start + index + i) % count] for i in (0, 1)]
-        dice.shuffle(both)
-        yield both[0], _slower(both[1], group.plan["groups"][0], name, 1 + percent / 100)
+def _swapped(table: pd.DataFrame, swap: bool) -> pd.DataFrame:
+    return table.assign(build=1 - table["build"]) if swap else table
 
 
-def _slower(process: Process, group: Json, name: str, factor: float) -> Process:
-    """The row and the controls that repeat it."""
-    entries = [[[time * (factor if entry["name"] == name else 1) for time in layout]
-                for layout in layouts]
-               for entry, layouts in zip(group["entries"], process.groups[0])]
-    return replace(process, groups=[entries])
+def _slower(table: pd.DataFrame, name: str, factor: float) -> pd.DataFrame:
+    """The row and the controls that repeat it, now."""
+    slow = table["row"].isin((name, name + AGAIN, name + SLOWED)) & (table["build"] == 1)
+    return table.assign(ns=table["ns"].where(~slow, table["ns"] * factor))
 
 
-def _replayed_round(pair: builds.Pair, source: Iterator[tuple[Process, Process]], _: int,
-                    __: set[str] | None) -> list[RowVerdict]:
-    for before, now in islice(source, builds.PAIRS):
-        pair.before.processes.append(before)
-        pair.now.processes.append(now)
-    return list(builds.verdicts_of(pair, False))
-
-
-def _live(sampler: Sampler, plan: Json) -> tuple[str, bool]:
-    """Each slowdown once, of the row that the controls repeat."""
-    common = builds.common_plan(plan, plan)[0]
-    lines, good = ["Two builds, measured now (rows):"], True
-    for percent, group in zip((5, 10), common["groups"]):
-        name = group["entries"][-1]["name"]
-        before = common | {"groups": [group]}
-        now = _slowed(before, name, percent)
-        _say(f"{percent} % slower")
-        rows = decide(times.rounds_of((sampler, before), (sampler, now), False))
-        found, others = (Counter(row.verdict for row in rows if (row.name == name) == slow)
-                         for slow in (True, False))
-        good &= found[Verdict.PASS] == 0 and others[Verdict.FAIL] == 0
-        lines.append(f"  {percent:2} % slower  {_counted(found)}   other rows: {_counted(others)}")
-    return "\n".join(lines), good
-
-
-def _slowed(plan: Json, name: str, percent: int) -> Json:
-    """With a further delay of this row and its controls, the last of which has one of 10 %."""
-    changed = copy.deepcopy(plan)
-    entries = changed["groups"][0]["entries"]
-    delay = entries[-1]["delay_ns"] * percent / 10
-    for entry in entries:
-        if entry["name"] == name:
-            entry["delay_ns"] += delay
-    return changed
-
-
-def _stored(sampler: Sampler, plan: Json, machine: Json, attempts: int) -> tuple[str, bool]:
+def _stored(benchmarks: Benchmarks, facts: Json, machine: Json, attempts: int) -> tuple[str, bool]:
     """Every load follows every other one, and itself. No row may be FAIL, and some must be PASS,
     as else no FAIL would show nothing."""
     lines = ["The same build and a baseline of it, under other loads (rows):"]
@@ -163,11 +120,10 @@ def _stored(sampler: Sampler, plan: Json, machine: Json, attempts: int) -> tuple
         before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
         _say(f"baseline {attempt + 1} of {attempts}")
         with _load(LOADS[before]):
-            first = stored.measured_from(times.measure(sampler, plan))
+            first = stored.measured_from(facts, measured(benchmarks, facts, stored.PROCESSES))
         baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
         with _load(LOADS[now]):
-            rows = times.verdicts_against(baseline, (sampler, plan), times.cache_bytes(machine),
-                                          False)
+            rows = times.verdicts_against(baseline, benchmarks, facts, times.cache_bytes(machine), False)
         found = Counter(row.verdict for row in rows)
         lines.append(f"  {before:9} -> {now:9}  {_counted(found)}{_why(rows)}")
         total += found

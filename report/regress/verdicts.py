@@ -60,25 +60,27 @@ def judge(change: Estimate, limit: float) -> Verdict:
     return Verdict.INCONCLUSIVE if change.low < 1 - limit else Verdict.PASS
 
 
-Measure = Callable[[int, set[str] | None], list[RowVerdict]]
-"""Measures more and judges: the number of the round, and the rows, or None for all."""
+Measure = Callable[[int, set[str] | None, set[str]], list[RowVerdict]]
+"""Measures more and judges: the number of the round, the rows, or None for all, and those of them that are judged by
+this round alone."""
 
 
 MAX_ROUNDS = 5
 
 
 def decide(measure: Measure, rows: set[str] | None = None) -> list[RowVerdict]:
-    """Measures these rows, or all, and what is not settled again, for up to MAX_ROUNDS rounds. PASS
-    is settled, FAIL once the next round says it as well."""
+    """Measures these rows, or all, and what is not settled again, for up to MAX_ROUNDS rounds. PASS is settled; FAIL
+    is once the next round says it as well, judged alone."""
     found: dict[str, RowVerdict] = {}
     unsettled = rows
     for number in range(MAX_ROUNDS):
-        latest = {row.name: row for row in measure(number, unsettled)
+        failed = {name for name, row in found.items() if row.verdict == Verdict.FAIL and name in (unsettled or ())}
+        latest = {row.name: row for row in measure(number, unsettled, failed)
                   if unsettled is None or row.name in unsettled}
-        failed = {name for name, row in found.items() if row.verdict == Verdict.FAIL}
-        found |= latest
-        unsettled = {name for name, row in latest.items() if row.verdict == Verdict.INCONCLUSIVE
-                     or (row.verdict == Verdict.FAIL and name not in failed)}
+        found |= {name: row.doubted("FAIL in one round, not in the next")
+                  if name in failed and row.verdict == Verdict.PASS else row for name, row in latest.items()}
+        unsettled = {name for name in latest if found[name].verdict == Verdict.INCONCLUSIVE
+                     or (found[name].verdict == Verdict.FAIL and name not in failed)}
         if not unsettled:
             break
     return [row.doubted("FAIL in the last round only")

@@ -1,4 +1,4 @@
-"""What is swept. A sweep is a list of inputs and options for one plan of the sampler."""
+"""What is swept: the inputs and the rows of each sweep."""
 
 from __future__ import annotations
 
@@ -92,10 +92,9 @@ def thread_steps(cores: int) -> list[int]:
 
 
 def plan_words(sweep: Sweep, quick: bool, cores: int) -> list[str]:
-    """The options of `thinbench_sampler plan`."""
+    """The options of `thinbench_benchmarks`."""
     names = f"^({'|'.join(sweep.operations)})/.*/{sweep.threads}/end_to_end/"
-    words = ["--no-peers", "--variants", sweep.variants, "--max-call", str(sweep.max_call),
-             "--seconds-per-row", "0.001" if quick else "0.002", "--filter", names]
+    words = ["--no-peers", "--variants", sweep.variants, "--max-call", str(sweep.max_call), "--filter", names]
     words += _repeated("--input", sweep.inputs(quick))
     return words + (_repeated("--threads", thread_steps(cores)) if sweep.threads != "1" else [])
 

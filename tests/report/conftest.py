@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 from PIL import Image
 
 import fake_programs
 from report.__main__ import main
 from report.files import to_json, write_files
-from report.measure.sampler import Json, Process, Samples
+from report.measure.benchmarks import Json
 from report.measure.timings import Row, to_csv
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -80,8 +81,8 @@ def make_facts(rows: list[Row]) -> dict[str, Any]:
     """run.json."""
     names = [name for name in SIZES if any(row.input == name for row in rows)]
     return {"schema": 3, "run": "intel/made", "machine": MACHINE, "options": {"quick": True},
-            "controls": {"groups": 9, "same": 1.0, "slowed": 0.91, "failed": 0, "passed": True},
-            "state": {"cycle_ns": 0.25, "foreign_load": 0.02, "chain_ns": 0.3},
+            "controls": {"groups": 9, "same": 1.0, "slowed": 0.91, "failed": 0},
+            "state": {"cycle_ns": 0.25, "probe_ns": 6000.0, "quiet": 0.9, "longer": 1.0},
             "inputs": [{"name": name, "width": SIZES[name][0], "height": SIZES[name][1],
                         "hash": "0" * 16, "grey_hash": "1" * 16, "foreground_pixels": 99}
                        for name in names],
@@ -157,10 +158,10 @@ def study(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
                            *map(str, words)], check=False, text=True, capture_output=True)
 
 
-def make_samples(plan: Json, spread: float = 0.005, processes: int = 9, load: float = 0.0,
-                 seed: int = 1, **controls: float) -> Samples:
-    """As the sampler takes them."""
+def make_samples(facts: Json, noise: fake_programs.Noise = fake_programs.Noise(), processes: int = 9,
+                 seed: int = 1) -> pd.DataFrame:
+    """As processes find them."""
     dice = random.Random(seed)
-    return Samples(plan, [
-        Process(number, [fake_programs.make_group(group, dice, spread, **controls) for group in plan["groups"]],
-                [{"chain_ns": 0.3}] * 2, load) for number in range(processes)])
+    lines = [(process, *line, noise.clock * fake_programs.CYCLE) for process in range(processes)
+             for line in fake_programs.lines_of(facts, dice, noise)]
+    return pd.DataFrame(lines, columns=["process", "row", "ns", "before", "after", "cycle"])

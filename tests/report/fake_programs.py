@@ -1,6 +1,6 @@
-"""Stands in for the programs of a build: plans and samples with known times, at once.
+"""Stands in for the programs of a build: facts and samples with known times, at once.
 
-Run as `fake_programs.py thinbench|thinbench_sampler COMPILER ...`; the environment's FAKE_SLOWDOWN
+Run as `fake_programs.py thinbench-study|thinbench_benchmarks COMPILER ...`; the environment's FAKE_SLOWDOWN
 multiplies all times."""
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ import json
 import os
 import random
 import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -32,22 +34,25 @@ MACHINE: Json = {
 }
 
 
-def make_plan(inputs: tuple[str, ...] = ("scene",), pixels: str = "0" * 16) -> Json:
+PROBE, CYCLE = 6000.0, 0.25
+"""Nanoseconds."""
+
+REPETITIONS = 8
+
+
+def make_facts(inputs: tuple[str, ...] = ("scene",), pixels: str = "0" * 16) -> Json:
     """One case on each input."""
-    plan: Json = {
-        "sources": {"pictures": [], "drawn": list(inputs), "foreground": "auto",
-                    "threshold": None}, "cycle_ns": 0.25,
-        "groups": [], "rows": {}, "skipped": [], "verified": 5 * len(inputs), "mismatches": [],
+    facts: Json = {
+        "sources": {"pictures": [], "drawn": list(inputs), "foreground": "auto", "threshold": None},
+        "rows": {}, "skipped": [], "verified": 5 * len(inputs), "mismatches": [],
         "inputs": [{"name": name, "width": _side(name), "height": 50, "hash": pixels,
                     "grey_hash": pixels, "foreground_pixels": 9} for name in inputs],
         "peers": [{"technique": name, "about": name, "equal_output": name == EQUAL_PEER}
                   for name in (EQUAL_PEER, *OTHER_PEERS)]}
     for name in inputs:
-        rows = {f"thin_guo_hall/{technique}/{_isa(technique)}/1/end_to_end/{name}":
-                _row(technique, name) for technique in TIMES}
-        plan["rows"] |= rows
-        plan["groups"].append({"entries": _entries(list(rows)), "layouts": 2})
-    return plan
+        facts["rows"] |= {f"thin_guo_hall/{technique}/{_isa(technique)}/1/end_to_end/{name}": _row(technique, name)
+                          for technique in TIMES}
+    return facts
 
 
 def _side(name: str) -> int:
@@ -63,53 +68,52 @@ def _row(technique: str, name: str) -> Json:
             "max_iterations": None, "technique": technique, "isa": _isa(technique), "threads": 1,
             "scope": "end_to_end", "input": name, "counter": 7, "plan_bytes": None,
             "peer": technique in (EQUAL_PEER, *OTHER_PEERS),
-            "default": technique == "simd_bitpacked", "scalar": technique == "bitpacked"}
+            "default": technique == "simd_bitpacked", "scalar": technique == "bitpacked",
+            "seconds": 1e-9 * TIMES[technique], "hash": "0" * 16}
 
 
-def _entries(names: list[str]) -> list[Json]:
-    common = {"calls": 10, "delay_ns": 0, "warm_up": 1, "visits": 3, "threaded": False,
-              "seconds": 0.01, "hash": "0" * 16}
-    control = names[list(TIMES).index("bitpacked")]
-    return [*({"name": name, "role": "row"} | common for name in names),
-            {"name": control, "role": "same"} | common,
-            {"name": control, "role": "slowed"} | common | {"delay_ns": 5e3}]
+@dataclass(frozen=True)
+class Noise:
+    """What a machine adds to the known times of a process."""
+
+    spread: float = 0.005  # of quiet repetitions
+    busy: float = 0.0  # share of repetitions beside a neighbour, which take half as long again
+    slowed: float = 1.1
+    same: float = 1.0
+    clock: float = 1.0  # how many times as long a cycle is
 
 
-def make_group(group: Json, dice: random.Random, spread: float, slowed: float = 1.1,
-               same: float = 1.0) -> list[list[list[float]]]:
-    """What a process finds in a group: no epoch is shorter than the true time, and some process
-    has one that is hardly longer."""
+def lines_of(facts: Json, dice: random.Random, noise: Noise = Noise()) -> Iterator[tuple[str, float, float, float]]:
+    """Row, ns of a call and both probes, for each repetition. A quiet call takes its known time at least."""
     slowdown = float(os.environ.get("FAKE_SLOWDOWN", "1"))
-    found = []
-    for entry in group["entries"]:
-        factor = {"row": 1.0, "same": same, "slowed": slowed}[entry["role"]]
-        time = slowdown * TIMES[entry["name"].split("/")[1]] * factor
-        found.append([[time * (1 + spread * dice.random()) for _ in range(3)]
-                      for _ in range(group["layouts"])])
-    return found
+    for name, row in facts["rows"].items():
+        controls = (("/again", noise.same), ("/slowed", noise.slowed)) if row["technique"] == "bitpacked" else ()
+        for suffix, factor in (("", 1.0), *controls):
+            for _ in range(REPETITIONS):
+                neighbour = 1.5 if dice.random() < noise.busy else 1.0
+                ns = noise.clock * neighbour * slowdown * factor * TIMES[row["technique"]]
+                probe = noise.clock * neighbour * PROBE
+                yield name + suffix, ns * (1 + noise.spread * dice.random()), probe, probe * (1 + 0.001 * dice.random())
 
 
-def _sampler(words: list[str]) -> int:
-    if words[0] == "plan":
+def _benchmarks(words: list[str]) -> int:
+    given = dict(zip(words, words[1:]))
+    if "--facts" in given:
         inputs = [Path(word).stem for before, word in zip(words, words[1:]) if before in ("--input", "--image")]
-        print(json.dumps(make_plan(tuple(inputs) or ("scene",))))
+        Path(given["--facts"]).write_text(json.dumps(make_facts(tuple(inputs) or ("scene",))))
         return 2 if "broken" in inputs else 0
-    plan = json.load(sys.stdin)
-    assert plan["cycle_ns"] > 0
-    dice = random.Random(int(words[-1]))
-    state = json.dumps({"chain_ns": 0.3})
-    print(state)
-    for index, group in reversed(list(enumerate(plan["groups"]))):
-        for times in zip(*make_group(group, dice, 0.005)):  # by layout
-            print(json.dumps({"group": index, "entries": times}), flush=True)
-    print(state)
+    facts = json.loads(Path(given["--known"]).read_text())
+    with open(given["--samples"], "w", encoding="utf-8") as stream:
+        stream.write("row,repetition,calls,wall_ns,cpu_ns,probe_before_ns,probe_after_ns,cycle_ns\n")
+        for row, ns, before, after in lines_of(facts, random.Random()):
+            stream.write(f"{row},0,10,{2 * ns},{ns},{before},{after},{CYCLE}\n")
     return 0
 
 
 def install(directory: Path, compiler: str = "GNU") -> Path:
     """Makes the programs of a build."""
     directory.mkdir(parents=True, exist_ok=True)
-    for name in ("thinbench-study", "thinbench_sampler"):
+    for name in ("thinbench-study", "thinbench_benchmarks"):
         program = directory / name
         program.write_text("#!/bin/sh\nexec /usr/bin/python3 "
                            f'"{__file__}" {name} {compiler} "$@"\n')
@@ -124,6 +128,6 @@ def machine_of(compiler: str) -> Json:
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "thinbench_sampler":
-        sys.exit(_sampler(sys.argv[3:]))
+    if sys.argv[1] == "thinbench_benchmarks":
+        sys.exit(_benchmarks(sys.argv[3:]))
     print(json.dumps(machine_of(sys.argv[2])))

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import copy
 from argparse import Namespace
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
+import pandas as pd
 import pytest
 from conftest import make_samples
-from fake_programs import MACHINE, install, machine_of, make_plan
+from fake_programs import MACHINE, Noise, install, machine_of, make_facts
 from junitparser import JUnitXml
 
 from report.__main__ import main
 from report.errors import ReportError
+from report.measure.benchmarks import Benchmarks, Json
 from report.measure.estimates import Estimate
-from report.measure.sampler import Json, Process, Sampler, Samples
 from report.regress import builds, command, output, self_test, stored
 from report.regress.verdicts import (Layer, RowVerdict, Verdict, decide, exit_status, judge,
                                      layer_of, skipped)
@@ -26,27 +29,31 @@ ROW, OTHER = (f"thin_guo_hall/{name}/1/end_to_end/scene"
               for name in ("bitpacked/baseline", "simd_bitpacked/avx2"))
 
 
-def samples_of(slower: float = 1.0, *, reference: float = 1.0, plan: Json | None = None,
-               **controls: float) -> Samples:
-    """Nine processes; `bitpacked` and the reference take so many times as long as usual."""
-    samples = make_samples(plan or make_plan(), **controls)
-    for process in samples.processes:
-        for group, found in zip(samples.plan["groups"], process.groups):
-            for entry, layouts in zip(group["entries"], found):
-                technique = entry["name"].split("/")[1]
-                factor = {"bitpacked": slower, "reference": reference}.get(technique, 1.0)
-                layouts[:] = [[factor * time for time in times] for times in layouts]
+FACTS = make_facts()
+
+
+def samples_of(slower: float = 1.0, *, reference: float = 1.0, facts: Json = FACTS, noise: Noise = Noise(),
+               processes: int = 9, seed: int = 1) -> pd.DataFrame:
+    """`bitpacked` and the reference take so many times as long as usual."""
+    samples = make_samples(facts, noise, processes, seed)
+    technique = samples["row"].str.split("/").str[1]
+    samples["ns"] *= technique.map({"bitpacked": slower, "reference": reference}).fillna(1.0)
     return samples
 
 
-def baseline_of(samples: Samples) -> Json:
+def measured(*arguments: float, facts: Json = FACTS, **options: Any) -> stored.Measured:
+    """As a comparison takes it."""
+    return stored.measured_from(facts, samples_of(*arguments, facts=facts, **options))
+
+
+def baseline_of(before: stored.Measured) -> Json:
     """As --update writes it."""
-    return stored.baseline_from(stored.measured_from(samples), MACHINE, "", "first", None)
+    return stored.baseline_from(before, MACHINE, "", "first", None)
 
 
-def verdict_on(before: Samples, now: Samples, cache: float = CACHE) -> RowVerdict:
+def verdict_on(before: stored.Measured, now: stored.Measured, cache: float = CACHE) -> RowVerdict:
     """Of the row that is slowed down."""
-    rows = stored.against_baseline(stored.measured_from(now), baseline_of(before), cache, False)
+    rows = stored.against_baseline(now, baseline_of(before), cache, False)
     return next(row for row in rows if row.name == ROW)
 
 
@@ -63,26 +70,25 @@ def test_a_row_fails_only_where_its_whole_interval_is_beyond_the_limit(value: fl
 
 @pytest.mark.parametrize("rounds, verdict", [
     ([PASS], PASS), ([FAIL, FAIL], FAIL), ([INCONCLUSIVE, PASS], PASS),
-    ([INCONCLUSIVE, FAIL, FAIL], FAIL), ([FAIL, PASS], PASS),
+    ([INCONCLUSIVE, FAIL, FAIL], FAIL), ([FAIL, PASS, PASS], PASS),
     ([FAIL, INCONCLUSIVE, FAIL, FAIL], FAIL), ([INCONCLUSIVE] * 5, INCONCLUSIVE),
     ([INCONCLUSIVE] * 4 + [FAIL], INCONCLUSIVE)])
-def test_fail_needs_two_rounds_in_a_row_and_pass_one(rounds: list[Verdict],
-                                                     verdict: Verdict) -> None:
+def test_fail_needs_two_rounds_in_a_row_and_pass_one_after_it(rounds: list[Verdict], verdict: Verdict) -> None:
     left = list(rounds)
-    rows = decide(lambda number, names: [RowVerdict("a", left.pop(0))])
+    rows = decide(lambda number, names, alone: [RowVerdict("a", left.pop(0))])
     assert [row.verdict for row in rows] == [verdict]
     assert left == []
 
 
 @pytest.mark.parametrize("chosen, shown, asked", [
-    (None, [("a", PASS), ("b", FAIL), ("c", SKIPPED)], [(0, None), (1, {"b"})]),
-    ({"a"}, [("a", PASS)], [(0, {"a"})])])
-def test_only_open_rows_are_measured_again_and_only_chosen_ones_judged(
+    (None, [("a", PASS), ("b", FAIL), ("c", SKIPPED)], [(0, None, set()), (1, {"b"}, {"b"})]),
+    ({"a"}, [("a", PASS)], [(0, {"a"}, set())])])
+def test_only_open_rows_are_measured_again_and_what_failed_is_judged_alone(
         chosen: set[str] | None, shown: list[tuple[str, Verdict]], asked: list[object]) -> None:
     calls: list[object] = []
 
-    def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
-        calls.append((number, rows))
+    def attempt(number: int, rows: set[str] | None, alone: set[str]) -> list[RowVerdict]:
+        calls.append((number, rows, alone))
         return [RowVerdict("a", PASS), RowVerdict("b", FAIL), skipped("c", "new")]
 
     assert [(row.name, row.verdict) for row in decide(attempt, chosen)] == shown
@@ -90,55 +96,48 @@ def test_only_open_rows_are_measured_again_and_only_chosen_ones_judged(
 
 
 def test_a_slowdown_in_the_same_state_fails() -> None:
-    assert verdict_on(samples_of(), samples_of()).verdict == PASS
-    row = verdict_on(samples_of(), samples_of(1.2))
+    assert verdict_on(measured(), measured()).verdict == PASS
+    row = verdict_on(measured(), measured(1.2))
     assert row.verdict == FAIL
     assert row.before and row.now and row.now.row == pytest.approx(1.2 * row.before.row, rel=0.02)
     assert row.now.reference == pytest.approx(row.before.reference, rel=0.02)
 
 
-def test_times_at_another_clock_are_compared_in_clock_cycles(
-        monkeypatch: pytest.MonkeyPatch) -> None:
-    plan = make_plan() | {"cycle_ns": 2 * make_plan()["cycle_ns"]}
-    before = samples_of()
-    monkeypatch.setenv("FAKE_SLOWDOWN", "2")
-    assert verdict_on(before, samples_of(plan=plan)).verdict == PASS
-    row = verdict_on(before, samples_of(1.2, plan=plan))
+def test_times_at_another_clock_are_compared_in_clock_cycles() -> None:
+    assert verdict_on(measured(), measured(noise=Noise(clock=2))).verdict == PASS
+    row = verdict_on(measured(), measured(1.2, noise=Noise(clock=2)))
     assert row.verdict == FAIL and not row.reason
 
 
 def test_images_beyond_the_cache_may_lose_twice_as_much() -> None:
-    assert verdict_on(samples_of(), samples_of(1.15), 10).verdict == PASS
-    assert verdict_on(samples_of(), samples_of(1.3), 10).verdict == FAIL
+    assert verdict_on(measured(), measured(1.15), 10).verdict == PASS
+    assert verdict_on(measured(), measured(1.3), 10).verdict == FAIL
 
 
 def test_a_slower_row_on_another_machine_is_inconclusive_and_an_equal_one_passes() -> None:
-    slow = verdict_on(samples_of(), samples_of(1.5, reference=0.8))
+    slow = verdict_on(measured(), measured(1.5, reference=0.8))
     assert slow.verdict == INCONCLUSIVE
     assert slow.reason.startswith("another state of the machine: the reference took")
-    assert verdict_on(samples_of(), samples_of(1.3, reference=1.3)).verdict == PASS
-    failed = verdict_on(samples_of(), samples_of(1.5, same=1.05))
+    assert verdict_on(measured(), measured(1.3, reference=1.3)).verdict == PASS
+    failed = verdict_on(measured(), measured(1.5, noise=Noise(same=1.05)))
     assert failed.verdict == INCONCLUSIVE and failed.reason == "the controls of its group failed"
 
 
 def test_one_reference_that_moved_neither_slows_its_rows_nor_lets_them_fail() -> None:
-    plan = make_plan(("scene", "square_32", "square_64"))
-    now = samples_of(plan=plan)
-    for process in now.processes:
-        reference = process.groups[0][0]
-        reference[:] = [[0.8 * time for time in layout] for layout in reference]
-    assert verdict_on(samples_of(plan=plan), now).verdict == PASS
-    for process in now.processes:
-        row = process.groups[0][1]
-        row[:] = [[1.2 * time for time in layout] for layout in row]
-    slower = verdict_on(samples_of(plan=plan), now)
+    facts = make_facts(("scene", "square_32", "square_64"))
+    now = samples_of(facts=facts)
+    moved = now["row"].str.contains("reference/baseline/1/end_to_end/scene")
+    now.loc[moved, "ns"] *= 0.8
+    assert verdict_on(measured(facts=facts), stored.measured_from(facts, now)).verdict == PASS
+    now.loc[now["row"] == ROW, "ns"] *= 1.2
+    slower = verdict_on(measured(facts=facts), stored.measured_from(facts, now))
     assert slower.verdict == INCONCLUSIVE and slower.reason.startswith("another state of the machine")
 
 
 def test_rows_that_cannot_be_compared_are_skipped() -> None:
-    baseline = baseline_of(samples_of())
+    baseline = baseline_of(measured())
     baseline["rows"]["gone/a/b/1/kernel/scene"] = baseline["rows"].pop(OTHER)
-    now = stored.measured_from(samples_of(1.5))
+    now = measured(1.5)
     rows = {row.name: row
             for row in stored.against_baseline(now, baseline, CACHE, False)}
     assert rows[OTHER].reason == "new: there is nothing to compare with"
@@ -146,32 +145,38 @@ def test_rows_that_cannot_be_compared_are_skipped() -> None:
     assert "gone/a/b/1/kernel/scene" not in {
         row.name for row in stored.against_baseline(now, baseline, CACHE, False, is_part=True)}
     assert rows[ROW].verdict == FAIL
-    other_image = stored.measured_from(samples_of(1.5, plan=make_plan(pixels="1" * 16)))
+    other_image = measured(1.5, facts=make_facts(pixels="1" * 16))
     assert {row.reason for row in stored.against_baseline(
-        other_image, baseline_of(samples_of()), CACHE, False)} == {
-            "another image than in the baseline"}
+        other_image, baseline_of(measured()), CACHE, False)} == {"another image than in the baseline"}
 
 
 def test_a_baseline_fits_its_schema_and_keeps_its_history() -> None:
-    first = baseline_of(samples_of())
-    second = stored.baseline_from(stored.measured_from(samples_of(0.8)), MACHINE, "", "faster",
-                                  first)
+    first = baseline_of(measured())
+    second = stored.baseline_from(measured(0.8), MACHINE, "", "faster", first)
     check_schema("baseline", second, "baseline")
     assert [event["reason"] for event in second["history"]] == ["first", "faster"]
     assert second["history"][0]["change"] is None
     assert second["history"][1]["change"] == pytest.approx(1.25 ** 0.5, rel=0.02)
 
 
-def pair_of(slower: float, **controls: float) -> builds.Pair:
+def pair_of(slower: float, noise: Noise = Noise(), processes: int = 9) -> builds.Pair:
     """Two builds, one of them with a slower row and its controls."""
-    plan = builds.common_plan(make_plan(), make_plan())[0]
-    return builds.Pair(samples_of(plan=plan, **controls),
-                       samples_of(slower, plan=plan, **controls))
+    (pair,), _ = builds.common_pairs(FACTS, FACTS)
+    both = [samples_of(factor, facts=pair.facts[0], noise=noise, processes=processes, seed=seed).assign(build=build)
+            for build, (factor, seed) in enumerate(((1.0, 1), (slower, 2)))]
+    samples = pd.concat(both, ignore_index=True)
+    pair.tables += [table.drop(columns="process") for _, table in samples.groupby("process")]
+    return pair
+
+
+def verdicts(pair: builds.Pair) -> dict[str, RowVerdict]:
+    """By name."""
+    return {row.name: row for row in builds.verdicts_of(pair, False, 5)}
 
 
 @pytest.mark.parametrize("slower, verdict", [(1.0, PASS), (0.9, PASS), (1.06, FAIL)])
 def test_two_builds_are_told_apart(slower: float, verdict: Verdict) -> None:
-    rows = {row.name: row for row in builds.verdicts_of(pair_of(slower), False)}
+    rows = verdicts(pair_of(slower))
     assert rows[ROW].verdict == verdict
     assert rows[OTHER].verdict == PASS
     row = rows[ROW]
@@ -179,68 +184,61 @@ def test_two_builds_are_told_apart(slower: float, verdict: Verdict) -> None:
     assert row.change.value == pytest.approx(row.before.row / row.now.row)
 
 
+def test_the_interval_is_wider_where_more_rows_are_compared() -> None:
+    times = builds.times_of(pair_of(1.0, Noise(spread=0.05)).tables)
+    before, now = (times.time(key) for key in builds.keys_of(ROW))
+    few, many = (builds.change_of(before, now, compared) for compared in (1, 500))
+    assert few.value == many.value and many.low < few.low and few.high < many.high
+
+
 def test_controls_that_fail_reject_the_comparison_of_two_builds() -> None:
-    wide = next(builds.verdicts_of(pair_of(1.06, same=1.08, slowed=1.3), False))
+    wide = verdicts(pair_of(1.06, Noise(same=1.08, slowed=1.3)))[ROW]
     assert wide.verdict == INCONCLUSIVE and wide.reason.startswith("a row differs from itself by")
-    blind = next(builds.verdicts_of(pair_of(1.2, slowed=1.0), False))
+    blind = verdicts(pair_of(1.2, Noise(slowed=1.0)))[ROW]
     assert blind.verdict == INCONCLUSIVE
     assert blind.reason == "the injected slowdown of 10 % was not found"
 
 
-def recorded(spread: float, processes: int = 30) -> list[Samples]:
-    """Of a plan with one group; each process at another height above the floor."""
-    return [make_samples(builds.common_plan(make_plan(), make_plan())[0], spread, processes, seed=2)]
+def test_two_builds_without_quiet_moments_are_not_judged() -> None:
+    assert verdicts(pair_of(1.2, Noise(busy=0.98)))[ROW].verdict == INCONCLUSIVE
 
 
 def test_replayed_slowdowns_are_found_and_equal_builds_pass() -> None:
-    assert self_test.replay(recorded(0.005), 0, 20) == ({PASS: 20}, builds.PAIRS)
-    assert self_test.replay(recorded(0.005, 40), 5, 20) == ({FAIL: 20}, 2 * builds.PAIRS)
-
-
-def test_replayed_noise_beyond_the_limit_gives_no_verdict() -> None:
-    assert self_test.replay(recorded(9.0), 3, 20)[0] == {INCONCLUSIVE: 20}
+    recorded = [pair_of(1.0, processes=5 * builds.PAIRS)]
+    assert self_test.replay(recorded, 0, 10) == ({PASS: 10}, builds.PAIRS)
+    assert self_test.replay(recorded, 5, 10) == ({FAIL: 10}, 2 * builds.PAIRS)
 
 
 def test_processes_of_two_builds_take_turns() -> None:
     order = []
 
-    class Named(Sampler):
+    class Named(Benchmarks):
         """Notes when it measures."""
 
-        def measure(self, plan: Json, seed: int, *_: object) -> Process:
+        def measure(self, facts: Json, options: Sequence[str] = ()) -> pd.DataFrame:
             order.append(str(self.program))
-            return Process(seed, [], [], 0)
+            return make_samples(facts, processes=1).drop(columns="process")
 
-    jobs = [(Named(Path(name)), Samples(make_plan())) for name in ("before", "now")]
-    builds.measure_in_turn("measuring", [jobs], range(3))
+    pairs, _ = builds.common_pairs(FACTS, FACTS)
+    builds.measure_in_turn((Named(Path("before")), Named(Path("now"))), pairs, range(3))
     assert order == ["now", "before", "before", "now", "now", "before"]
+    assert len(pairs[0].tables) == 3 and set(pairs[0].tables[0]["build"]) == {0, 1}
 
 
 def test_builds_are_compared_on_the_rows_with_equal_results() -> None:
-    before, now = make_plan(), make_plan()
-    row = next(entry for entry in before["groups"][0]["entries"] if "copy" in entry["name"])
-    row["hash"] = "another"
-    extra = copy.deepcopy(now["groups"][0]["entries"][1]) | {"name": ROW.replace("/1/", "/3/")}
-    now["groups"][0]["entries"].append(extra)
-    plan, left_out = builds.common_plan(before, now)
+    before, now = copy.deepcopy(FACTS), copy.deepcopy(FACTS)
+    copied = next(name for name in before["rows"] if "copy" in name)
+    before["rows"][copied]["hash"] = "another"
+    now["rows"][ROW.replace("/1/", "/3/")] = copy.deepcopy(now["rows"][ROW])
+    pairs, left_out = builds.common_pairs(before, now)
     assert {row.reason for row in left_out} == {"new: there is nothing to compare with",
                                                "another result than in the other build"}
-    names = [entry["name"] for entry in plan["groups"][0]["entries"]]
-    assert not any("reference" in name or "copy" in name for name in names)
-    gone = copy.deepcopy(make_plan())
-    slow = gone["groups"][0]["entries"].pop(2)["name"]
-    gone["skipped"] = [{"row": slow, "reason": "a call takes more than 1 s"}]
-    assert [(row.name, row.reason) for row in builds.common_plan(make_plan(), gone)[1] if row.name == slow] == [
-        (slow, "a call takes more than 1 s")]
-
-
-def test_a_build_that_measures_in_another_way_is_not_compared() -> None:
-    before = make_plan()
-    for entry in before["groups"][0]["entries"]:
-        entry["counted"] = entry.pop("delay_ns")
-    with pytest.raises(ReportError, match="--counts-only compares instructions") as error:
-        builds.common_plan(before, make_plan())
-    assert error.value.status == 4
+    assert not any("reference" in name or "copy" in name for pair in pairs for name in pair.rows)
+    gone = copy.deepcopy(FACTS)
+    del gone["rows"][OTHER]
+    gone["skipped"] = [{"row": OTHER, "reason": "a call takes more than 1 s"}]
+    assert [(row.name, row.reason) for row in builds.common_pairs(FACTS, gone)[1] if row.name == OTHER] == [
+        (OTHER, "a call takes more than 1 s")]
 
 
 def test_an_existing_build_is_the_base(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -280,8 +278,7 @@ def test_junit_is_read_back(tmp_path: Path) -> None:
 
 
 def test_bencher_metrics_have_intervals() -> None:
-    now = stored.measured_from(samples_of())
-    rows = stored.against_baseline(now, baseline_of(samples_of()), CACHE, False)
+    rows = stored.against_baseline(measured(), baseline_of(measured()), CACHE, False)
     metrics = output.to_bencher(output.Outcome(Layer(PASS, []), layer_of(rows), {ROW: 1234}))
     assert metrics[ROW]["instructions"] == {"value": 1234}
     speedup = metrics[ROW]["speedup"]
@@ -319,7 +316,6 @@ def options_of(tmp_path: Path, **changes: object) -> Namespace:
 
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, **changes: object) -> tuple[str, int]:
     """The command, with programs that know their times, on a machine without other work."""
-    monkeypatch.setattr("report.measure.load.LoadMeter.foreign", lambda _: 0.0)
     monkeypatch.setattr(command, "is_clean", lambda: True)
     programs = install(tmp_path / "bin")
     return command.run_regress(None, options_of(tmp_path, **changes),  # type: ignore[arg-type]

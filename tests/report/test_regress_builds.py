@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from report.errors import ReportError
-from report.measure.sampler import Json
+from report.measure.benchmarks import Json
 from report.regress import counts
 from report.regress.machine_code import same_isas
 from report.regress.verdicts import Verdict
@@ -87,7 +87,7 @@ def test_a_build_that_cannot_count_says_why(tmp_path: Path) -> None:
 
 @pytest.fixture(name="make_build")
 def _make_build(tmp_path: Path) -> Callable[..., Path]:
-    """Builds a sampler of two objects, one of them for AVX2, and returns where the programs are."""
+    """Builds a program of two objects, one of them for AVX2, and returns where the programs are."""
 
     def make(name: str, common: str = "int f() { return 1; }",
              avx2: str = "int g() { return 2; }", flags: str = "") -> Path:
@@ -100,7 +100,7 @@ def _make_build(tmp_path: Path) -> Callable[..., Path]:
             "rule ld\n  command = touch $out\n"
             "build common.dir/x.o: cc common.cpp\n"
             "build kernels/thinbench_avx2.dir/x.o: cc avx2.cpp\n"
-            "build bin/thinbench_sampler: ld common.dir/x.o kernels/thinbench_avx2.dir/x.o\n")
+            "build bin/thinbench_benchmarks: ld common.dir/x.o kernels/thinbench_avx2.dir/x.o\n")
         subprocess.run(["ninja", "-C", str(build)], check=True, capture_output=True)
         return build / "bin"
 

@@ -1,0 +1,181 @@
+#include "measure/known_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/case_json.hpp"
+#include "harness/splitmix64.hpp"
+#include "measure/timed_call.hpp"
+#include "peers/peers.hpp"
+#include "support/progress.hpp"
+#include "support/regular_file.hpp"
+
+namespace thinbench {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::map<Foreground, std::string> kForegrounds = {
+    {Foreground::automatic, "auto"}, {Foreground::bright, "bright"}, {Foreground::dark, "dark"}};
+
+/// What a call is taken for that the clock does not see.
+constexpr double kLeastSeconds = 1e-9;
+
+int more_calls(double seconds) {
+  constexpr double kLongerThanInterruptions = 0.1;
+  constexpr double kEnough = 0.001;
+  if (seconds > kLongerThanInterruptions) return 0;
+  return static_cast<int>(std::clamp(kEnough / seconds, 1.0, 100.0));
+}
+
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json sources_json(const InputChoice& choice) {
+  return {{"pictures", choice.pictures},
+          {"drawn", choice.drawn},
+          {"foreground", kForegrounds.at(choice.binarise.foreground)},
+          {"threshold", or_null(choice.binarise.threshold)}};
+}
+
+InputChoice sources_of(const Json& sources) {
+  InputChoice choice;
+  sources.at("pictures").get_to(choice.pictures);
+  sources.at("drawn").get_to(choice.drawn);
+  for (const auto& [foreground, word] : kForegrounds) {
+    if (sources.at("foreground") == word) choice.binarise.foreground = foreground;
+  }
+  if (!sources.at("threshold").is_null()) {
+    choice.binarise.threshold = sources.at("threshold").get<int>();
+  }
+  return choice;
+}
+
+Json input_json(const TimedInput& input) {
+  return {{"name", input.name},
+          {"width", input.width()},
+          {"height", input.height()},
+          {"hash", pixel_hash(input.binary.view())},
+          {"grey_hash", pixel_hash(input.grey.view())},
+          {"foreground_pixels", foreground_pixels(input.binary.view())}};
+}
+
+Json row_json(const KnownRow& known) {
+  const TimedRow& row = known.row;
+  const bool is_reference = row.variant == nullptr;
+  Json object = case_json<Json>(*row.operation);
+  object.update(
+      {{"technique", is_reference ? "reference" : row.variant->technique},
+       {"isa", is_reference ? "baseline" : row.variant->isa_label()},
+       {"threads", row.threads},
+       {"scope", scope_name(row.scope)},
+       {"input", row.input->name},
+       {"counter", or_null(row.counter)},
+       {"plan_bytes", or_null(row.plan_bytes)},
+       {"peer", row.is_peer()},
+       {"default", !is_reference && is_default(*row.operation, *row.variant, row.input->width())},
+       {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))},
+       {"seconds", known.seconds},
+       {"hash", known.hash}});
+  return object;
+}
+
+Json peers_json(const std::vector<KnownRow>& rows) {
+  std::set<std::string_view> techniques;
+  for (const KnownRow& known : rows) {
+    if (known.row.is_peer()) techniques.insert(known.row.variant->technique);
+  }
+  Json list = Json::array();
+  for (const Peer& peer : peers()) {
+    if (techniques.count(peer.technique) == 0) continue;
+    list.push_back({{"technique", peer.technique},
+                    {"about", peer.about},
+                    {"equal_output", peer.equal_output}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string hash_of(const Outcome& outcome) {
+  std::uint64_t hash = std::stoull(pixel_hash(outcome.image.view()), nullptr, 16);
+  for (const std::int64_t number : outcome.numbers) {
+    hash = splitmix64(hash ^ static_cast<std::uint64_t>(number));
+  }
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+/// The minimum counts: an interrupted call would make repetitions of too few calls. The first call
+/// also touches every page.
+KnownRow calibrate(const TimedRow& row) {
+  TimedCall call(row);
+  const auto timed = [&] {
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  double seconds = timed();
+  for (int i = more_calls(seconds); i > 0; --i) seconds = std::min(seconds, timed());
+  return {row, std::max(seconds, kLeastSeconds), hash_of(call.outcome())};
+}
+
+std::vector<KnownRow> calibrate_rows(Selection& selection, double max_seconds) {
+  std::ostringstream reason;
+  reason << "a call takes more than " << max_seconds << " s";
+  std::vector<KnownRow> rows;
+  Progress progress("calibrating", static_cast<double>(selection.rows.size()));
+  for (const TimedRow& row : selection.rows) {
+    KnownRow known = calibrate(row);
+    if (known.seconds > max_seconds) {
+      selection.skipped.push_back({row.name, reason.str()});
+    } else {
+      rows.push_back(std::move(known));
+    }
+    progress.advance(1);
+  }
+  return rows;
+}
+
+Json facts_json(const InputChoice& sources, const std::vector<TimedInput>& inputs,
+                const Selection& selection, const std::vector<KnownRow>& rows) {
+  Json facts = {{"sources", sources_json(sources)},  {"inputs", Json::array()},
+                {"peers", peers_json(rows)},         {"rows", Json::object()},
+                {"skipped", Json::array()},          {"verified", selection.verified},
+                {"mismatches", selection.mismatches}};
+  for (const TimedInput& input : inputs) facts["inputs"].push_back(input_json(input));
+  for (const KnownRow& known : rows) facts["rows"][known.row.name] = row_json(known);
+  for (const SkippedRow& row : selection.skipped) {
+    facts["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
+  }
+  return facts;
+}
+
+Known::Known(const std::string& file, const std::vector<Operation>& operations) {
+  constexpr std::size_t kMaxBytes = 1'000'000'000;
+  try {
+    const Json facts = Json::parse(read_whole_file(file, kMaxBytes));
+    inputs = timed_inputs(sources_of(facts.at("sources")));
+    for (const auto& [name, row] : facts.at("rows").items()) {
+      rows.push_back({row_named(name, operations, inputs),
+                      std::max(row.at("seconds").get<double>(), kLeastSeconds),
+                      row.at("hash").get<std::string>()});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(file + ": holds no facts: " + error.what());
+  }
+}
+
+}  // namespace thinbench
