@@ -138,16 +138,25 @@ bool asks_for_help(const std::vector<std::string>& words) {
                      [](const std::string_view word) { return word == "--help" || word == "-h"; });
 }
 
+/// Google Benchmark ends names by the number of repetitions, before a filter looks at them.
+void let_filter_end(std::string& word) {
+  if (word.starts_with("--benchmark_filter=") && word.ends_with('$')) {
+    word.insert(word.size() - 1, "/repeats:[0-9]*");
+  }
+}
+
 /// Google Benchmark takes its options out of the words, and would print its own help. With the
 /// shortest time that it knows, a repetition is one batch of calls.
 void initialize(std::vector<std::string>& words) {
   if (asks_for_help(words)) return;
+  std::for_each(words.begin(), words.end(), let_filter_end);
   words.insert(words.begin() + 1,
                {"--benchmark_enable_random_interleaving=true", "--benchmark_min_time=1e-9"});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
+  benchmark::BenchmarkReporter::Context::executable_name = "thinbench_benchmarks";
   words = {arguments.data(), arguments.data() + count};
 }
 

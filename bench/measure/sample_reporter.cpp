@@ -1,5 +1,6 @@
 #include "measure/sample_reporter.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -44,7 +45,7 @@ SampleReporter::SampleReporter(const std::string& samples, bool for_people)
   if (samples.empty()) return;
   samples_.open(samples, std::ios::binary);
   samples_ << "row,repetition,calls,wall_ns,cpu_ns,probe_before_ns,probe_after_ns,cycle_ns\n";
-  if (!samples_.flush()) throw FileError(samples, "cannot be written");
+  if (!samples_.flush()) cannot_write_by_errno(samples);
 }
 
 bool SampleReporter::ReportContext(const Context& context) {

@@ -1,74 +1,130 @@
-"""The sampler plans, measures and finds a wrong result; the program of Google Benchmark checks itself."""
+"""thinbench_benchmarks: facts, samples, controls and errors. Nothing here depends on how long a call takes."""
 
 from __future__ import annotations
 
+import csv
 import json
 import os
-import re
 import subprocess
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 PROGRAMS = Path(os.environ["THINBENCH_PROGRAMS"])
-ROW = ("--input", "square_64", "--filter", "^edges_sobel/autovec/baseline/1")
+NAME = "edges_sobel/autovec/baseline/1/end_to_end/square_64"
+REFERENCE = "edges_sobel/reference/baseline/1/end_to_end/square_64"
+ROW = ("--input", "square_64", "--no-peers", "--filter", f"^{NAME}$")
+COLUMNS = ["row", "repetition", "calls", "wall_ns", "cpu_ns", "probe_before_ns", "probe_after_ns", "cycle_ns"]
 
 
-def sampler(*words: str, given: str = "") -> subprocess.CompletedProcess[str]:
-    return subprocess.run([PROGRAMS / "thinbench_sampler", *words], input=given, text=True, capture_output=True,
-                          check=False)
+def benchmarks(*words: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([PROGRAMS / "thinbench_benchmarks", *words], text=True, capture_output=True, check=False)
 
 
-@pytest.fixture(name="plan", scope="module")
-def planned() -> str:
-    done = sampler("plan", *ROW)
+@pytest.fixture(name="facts", scope="module")
+def _facts(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("facts") / "facts.json"
+    done = benchmarks(*ROW, "--facts", path)
+    assert (done.returncode, done.stdout) == (0, ""), done.stderr
+    return path
+
+
+def measured(tmp_path: Path, *words: str | Path) -> list[dict[str, Any]]:
+    """Lines of the samples."""
+    done = benchmarks("--samples", tmp_path / "samples.csv", *words)
     assert done.returncode == 0, done.stderr
-    return done.stdout
+    with (tmp_path / "samples.csv").open(encoding="utf-8") as stream:
+        lines = list(csv.DictReader(stream))
+    assert list(lines[0]) == COLUMNS
+    return lines
 
 
-def measured(plan: str) -> list[dict[str, Any]]:
-    done = sampler("measure", "--seed", "1", given=plan)
-    assert done.returncode == 0, done.stderr
-    return [json.loads(line) for line in done.stdout.splitlines()]
+def changed(facts: Path, tmp_path: Path, **values: object) -> Path:
+    """Facts with other values of the row."""
+    document = json.loads(facts.read_text(encoding="utf-8"))
+    document["rows"][NAME] |= values
+    path = tmp_path / "changed.json"
+    path.write_text(json.dumps(document), encoding="utf-8")
+    return path
 
 
-def shortest(lines: list[dict[str, Any]]) -> float:
-    return min(time for line in lines if "group" in line for time in line["entries"][0])
+def test_facts_tell_of_the_row_and_its_reference(facts: Path) -> None:
+    document = json.loads(facts.read_text(encoding="utf-8"))
+    assert list(document) == ["sources", "inputs", "peers", "rows", "skipped", "verified", "mismatches"]
+    assert sorted(document["rows"]) == [NAME, REFERENCE] and document["verified"] == 1
+    row = document["rows"][NAME]
+    assert {"case", "operation", "border", "max_iterations", "technique", "isa", "threads", "scope", "input", "counter",
+            "plan_bytes", "peer", "default", "scalar", "seconds", "hash"} == set(row)
+    assert row["hash"] == document["rows"][REFERENCE]["hash"] and row["seconds"] > 0
+    assert [item["name"] for item in document["inputs"]] == ["square_64"]
 
 
-def test_each_layout_is_a_line_between_two_states_of_the_machine(plan: str) -> None:
-    lines = measured(plan)
-    assert sum("chain_ns" in json.dumps(line) for line in lines) == 2
-    assert sum(line.get("group") == 0 for line in lines) == 3
+def test_known_rows_and_their_controls_are_measured(facts: Path, tmp_path: Path) -> None:
+    lines = measured(tmp_path, "--known", facts)
+    assert {line["row"] for line in lines} == {NAME, REFERENCE, f"{NAME}/again", f"{NAME}/slowed"}
+    for line in lines:
+        assert int(line["calls"]) >= 1
+        assert all(float(line[name]) > 0 for name in COLUMNS[3:] if name != "cpu_ns")
+    repetitions = Counter(line["row"] for line in lines)
+    assert all(2 <= count <= 25 for count in repetitions.values())
 
 
-def test_times_follow_the_clock_of_the_plan(plan: str) -> None:
-    slow = measured(plan.replace('"cycle_ns":', '"cycle_ns":1000'))
-    assert shortest(slow) > 100 * shortest(measured(plan))
+def test_more_seconds_are_more_repetitions(facts: Path, tmp_path: Path) -> None:
+    few, many = (len(measured(tmp_path, "--known", facts, "--seconds-per-row", seconds)) for seconds in ("0", "1"))
+    assert (few, many) == (4 * 2, 4 * 25)
 
 
-def test_a_wrong_result_is_not_measured(plan: str) -> None:
-    done = sampler("measure", given=re.sub(r'"hash":"[0-9a-f]{16}","name"', '"hash":"0123456789abcdef","name"', plan))
-    assert done.returncode != 0 and "gave another result" in done.stderr
+def test_the_injected_delay_is_a_tenth_of_what_the_facts_say(facts: Path, tmp_path: Path) -> None:
+    """With so long a call the delay is a millisecond, whatever the call takes."""
+    lines = measured(tmp_path, "--known", changed(facts, tmp_path, seconds=0.01), "--benchmark_filter=/slowed$")
+    assert all(float(line["wall_ns"]) > 0.9e6 for line in lines)
 
 
-def test_slow_rows_are_skipped_with_the_reason() -> None:
-    done = sampler("plan", *ROW, "--max-call", "1e-9")
-    assert done.returncode == 0 and '"reason":"a call takes more than 1e-09 s"' in done.stdout
+def test_a_wrong_result_is_an_error_and_other_rows_are_measured(facts: Path, tmp_path: Path) -> None:
+    samples = tmp_path / "samples.csv"
+    done = benchmarks("--known", changed(facts, tmp_path, hash="0123456789abcdef"), "--samples", samples)
+    assert done.returncode == 1 and "it gave another result" in done.stderr
+    with samples.open(encoding="utf-8") as stream:
+        assert {line["row"] for line in csv.DictReader(stream)} == {REFERENCE}
+
+
+def test_facts_that_are_none_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "facts.json"
+    path.write_text("{}", encoding="utf-8")
+    done = benchmarks("--known", path)
+    assert done.returncode == 1 and done.stderr.count("\n") == 1 and "facts.json: holds no facts" in done.stderr
+
+
+def test_slow_rows_are_skipped_with_the_reason(tmp_path: Path) -> None:
+    path = tmp_path / "facts.json"
+    assert benchmarks(*ROW, "--max-call", "1e-9", "--facts", path).returncode == 0
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["rows"] == {}
+    assert {item["reason"] for item in document["skipped"]} == {"a call takes more than 1e-09 s"}
 
 
 @pytest.mark.parametrize(("words", "message"), [
     (("--filter", "no_such_row"), "no row matches the filter 'no_such_row'"),
+    (("--facts", "a", "--known", "b"), "--facts"),
     (("--bogus",), "there is no option '--bogus'")])
 def test_wrong_usage_is_status_2_and_a_line(words: tuple[str, ...], message: str) -> None:
-    done = sampler("plan", *words)
-    assert done.returncode == 2 and message in done.stderr
+    done = benchmarks(*words)
+    assert done.returncode == 2 and message in done.stderr and done.stderr.count("\n") == 1
 
 
-def test_google_benchmark_runs_the_rows_that_are_asked_for() -> None:
-    done = subprocess.run([PROGRAMS / "thinbench_benchmarks", *ROW[:2], "--filter", "^edges_sobel/",
-                           "--benchmark_filter=autovec", "--benchmark_min_time=0.001", "--benchmark_format=json"],
-                          text=True, capture_output=True, check=True)
-    names = [row["name"] for row in json.loads(done.stdout)["benchmarks"]]
-    assert names and all("/autovec/" in name and name.startswith("edges_sobel/") for name in names)
+def test_by_hand_each_row_is_a_line_with_its_name() -> None:
+    done = benchmarks("--input", "square_64", "--benchmark_filter=^edges_sobel/autovec/baseline/1", "--seconds-per-row", "0")
+    assert done.returncode == 0, done.stderr
+    lines = [line for line in done.stdout.splitlines() if line.startswith("edges_sobel/")]
+    assert sorted(line.split()[0] for line in lines) == [f"{NAME}/again_median", f"{NAME}/slowed_median", f"{NAME}_median"]
+
+
+def test_google_benchmarks_json_has_every_repetition() -> None:
+    done = benchmarks("--input", "square_64", "--filter", "^edges_sobel/", "--benchmark_filter=autovec/baseline/1",
+                      "--seconds-per-row", "0", "--benchmark_format=json")
+    found = json.loads(done.stdout)["benchmarks"]
+    names = [row["name"] for row in found if row["run_type"] == "iteration"]
+    assert names.count(NAME) == 2
+    assert all(row["probe_before"] > 0 for row in found if row["run_type"] == "iteration")

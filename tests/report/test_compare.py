@@ -10,20 +10,22 @@ from typing import Any
 
 import pytest
 from conftest import make_samples
-from fake_programs import MACHINE, install, make_plan
+from fake_programs import MACHINE, Noise, install, make_facts
 
 from report.compare import Comparison, compare_runs
 from report.errors import ReportError
+from report.measure.measurement import Part
 from report.measure.run import Run, load_run, write_run
 
 HERE = Path(__file__).parent
 
 
 def made_run(directory: Path, pixels: str = "0" * 16, machine: dict[str, Any] | None = None,
-             inputs: tuple[str, ...] = ("scene", "square_64")) -> Run:
+             inputs: tuple[str, ...] = ("scene", "square_64"), clock: float = 1.0) -> Run:
     """A run of nine processes."""
-    samples = make_samples(make_plan(inputs, pixels), 0.01)
-    write_run(directory, MACHINE | (machine or {}), {}, [("", samples)])
+    facts = make_facts(inputs, pixels)
+    samples = make_samples(facts, Noise(spread=0.01, clock=clock))
+    write_run(directory, MACHINE | (machine or {}), {}, [Part(facts, tables=[samples])])
     return load_run(directory)
 
 
@@ -71,8 +73,23 @@ def test_other_pixels_are_not_compared_and_that_is_said(tmp_path: Path) -> None:
     with pytest.raises(ReportError, match="no row in common.* B: input 'scene' has other pixels"):
         Comparison([first, other])
     with_both = Comparison([first, other, made_run(tmp_path / "c", inputs=("scene",))])
-    assert with_both.remarks == ["B: input 'scene' has other pixels than in A, not compared"]
+    assert with_both.remarks[0] == "B: input 'scene' has other pixels than in A, not compared"
     assert all(line.rows[1] is None and line.rows[2] for line in with_both.lines)
+
+
+def test_rows_that_only_one_run_has_are_named(tmp_path: Path) -> None:
+    both = [made_run(tmp_path / "a"), made_run(tmp_path / "b", machine={"commit": "def5678"}, inputs=("scene",))]
+    (remark,) = Comparison(both).remarks
+    assert remark.startswith("only A has 6 rows: thin_guo_hall/") and remark.endswith("and 3 more")
+
+
+def test_runs_of_one_kind_of_processor_are_compared_in_clock_cycles(tmp_path: Path) -> None:
+    first = made_run(tmp_path / "a", inputs=("scene",))
+    slow = made_run(tmp_path / "b", machine={"commit": "def5678"}, inputs=("scene",), clock=1.2)
+    other = made_run(tmp_path / "c", machine={"cpu": MACHINE["cpu"] | {"model": 1}}, inputs=("scene",), clock=1.2)
+    for line in Comparison([first, slow, other]).lines:
+        assert line.time_ratio(1) == pytest.approx(1, rel=0.01)
+        assert line.time_ratio(2) == pytest.approx(1 / 1.2, rel=0.01)
 
 
 def test_the_same_run_twice_is_rejected(tmp_path: Path) -> None:

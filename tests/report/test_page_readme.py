@@ -47,7 +47,7 @@ def test_filling_twice_changes_nothing(tmp_path):
 def write_many_images(directory):
     """One experiment of ./study many-images."""
     one = Result("calls", "ours", 0, "ms_per_call", 0.0413, 0.042, 0.05, "ours", None, None, None, 5,
-                 "", "abc1234", "intel-6-143-8-1a2b3c4d", "Fake", 2, 0.25)
+                 "", "abc1234", "intel-6-143-8-1a2b3c4d", "Fake", 2)
     other = replace(one, method="theirs", time=63.3, ratio=1533.0, ratio_low=1500.0,
                     ratio_high=1540.0, flags="open")
     (directory / MANY_IMAGES).parent.mkdir(parents=True)
@@ -62,8 +62,8 @@ def test_many_images_fill_their_parts_and_no_other(tmp_path):
     text = page.read_text()
     assert text.startswith(MARKED)
     assert "| `ours` | 41.3 µs | `theirs` | 63.3 ms | 1,533 (1,500\N{EN DASH}1,540, open) |" in text
-    assert "Run of commit abc1234 on Fake (intel-6-143-8-1a2b3c4d), 2 cores, of which other " \
-           "processes kept 0.25 busy: [all figures](run/many-images/many_images.csv)." in text
+    assert "Run of commit abc1234 on Fake (intel-6-143-8-1a2b3c4d), 2 cores: " \
+           "[all figures](run/many-images/many_images.csv)." in text
     page.write_text(text.replace("-images calls:", "-images walls:"))
     with pytest.raises(ReportError, match="walls.*expected one of .*calls"):
         fill_documents(tmp_path / "run", [page])

@@ -13,7 +13,6 @@ import pytest
 from fake_programs import MACHINE
 
 from report.errors import ReportError
-from report.measure.sampler import Sampler
 from report.schemas import DIRECTORY, check_schema
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -52,7 +51,6 @@ def test_what_is_printed_fits_its_schema(schema: str, words: list[str]) -> None:
 @needs_programs
 @pytest.mark.parametrize("schema, words", [
     ("counts", ["instructions", "--filter", ROW]),
-    ("counts", ["instructions", "--limits", "--quick", "--filter", ROW]),
     ("weights", ["train", "cluster"]), ("weights", ["train", "two-layer", "--seed", "2"])])
 def test_what_is_written_fits_its_schema(schema: str, words: list[str], tmp_path: Path) -> None:
     path = tmp_path / "written.json"
@@ -65,11 +63,3 @@ def test_what_is_told_of_an_image_fits_its_schema(tmp_path: Path) -> None:
     path = tmp_path / "scene.png"
     check_schema("scene", json.loads(printed("scene", path, "--truth")), "scene")
     check_schema("regions", json.loads(printed("holes", path, "--json", program="thinbench")), "holes")
-
-
-@needs_programs
-def test_plans_and_processes_fit_their_schemas() -> None:
-    sampler = Sampler(PROGRAMS / "thinbench_sampler")
-    plan = sampler.plan(["--filter", ROW, "--input", "noise_64_50_2", "--no-peers"])
-    check_schema("plan", plan, "plan")
-    check_schema("process", vars(sampler.measure(plan, 1)), "process")

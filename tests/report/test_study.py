@@ -11,14 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ROOT, main, without_progress
-from fake_programs import make_plan
 from PIL import Image
 
 import report.study
-from report.errors import ReportError
-from report.measure.converge import measure_until_converged
 from report.measure.run import load_run
-from report.measure.sampler import Samples
 
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 Study = Callable[..., tuple[int, str]]
@@ -54,12 +50,6 @@ def test_a_note_appears_once_and_the_image_is_on_the_page(study, image, tmp_path
     assert load_run(tmp_path / "run").facts["options"]["threads"] == [2, 3]
 
 
-def test_what_cannot_be_counted_is_no_failure(study, tmp_path):
-    status, errors = study("--filter", "^edges_sobel/copy/")
-    assert (status, errors) == (0, "")
-    assert not (tmp_path / "run" / "limits.json").exists()
-
-
 @pytest.mark.parametrize("words, why", [
     (("--filter", "nothing"), "no row matches the filter 'nothing'"),
     (("--filter", "^edges_sobel/autovec/baseline/"), "no usual row matches the filter"),
@@ -68,13 +58,13 @@ def test_where_nothing_can_be_measured_the_reason_is_given(study, monkeypatch, w
     monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")
     status, errors = study(*words)
     assert status == 2
-    sampler, own = errors.splitlines()
-    assert sampler.startswith("thinbench_sampler: ") and why in sampler
+    program, own = errors.splitlines()
+    assert program.startswith("thinbench_benchmarks: ") and why in program
     assert own == "study: nothing was measured; see above"
 
 
 def test_reasons_of_skipped_rows_are_mentioned_once(study, monkeypatch):
-    monkeypatch.setattr(report.measure.sampler, "_reported", set())
+    monkeypatch.setattr(report.measure.benchmarks, "_reported", set())
     monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")
     status, errors = study("--filter", "^euler_number/simd", "--size", "64")
     notes = errors.splitlines()
@@ -87,12 +77,6 @@ def test_a_file_that_is_no_image_is_named(study, image):
     status, errors = study("--image", str(image))
     assert status == 1 and f"cannot read '{image}': it is not an image" in errors
     assert "differs" not in errors
-
-
-def test_rows_that_all_take_too_long_are_no_run():
-    plan = make_plan() | {"groups": [], "skipped": [{"row": "a", "reason": "a call takes more than 1 s"}]}
-    with pytest.raises(ReportError, match="every row that matches is skipped: a call takes more than 1 s"):
-        measure_until_converged([(None, Samples(plan))], 1)
 
 
 def test_a_size_is_measured_once(study, tmp_path):
