@@ -2,10 +2,10 @@
 
 packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev libopencv-dev
   libleptonica-dev libtiff-dev libcli11-dev libfmt-dev nlohmann-json3-dev libjs-chart.js valgrind
-  parallel python3 python3-numpy python3-scipy python3-matplotlib python3-jinja2 python3-jsonschema
+  parallel python3 python3-numpy python3-pandas python3-scipy python3-matplotlib python3-jinja2 python3-jsonschema
   python3-junitparser)
-# For x86-64 alone: machine code is written, and executed code is given to llvm-mca.
-[ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev llvm-19)
+# Machine code is written for x86-64 alone.
+[ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev)
 many_images_packages=(python3-opencv python3-skimage python3-dask python3-distributed)
 # Of the tests alone.
 test_packages=(libgtest-dev chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
