@@ -19,6 +19,14 @@ std::string processor_level() {
   return std::string(isa_name(highest));
 }
 
+Json input_json(const TimedInput& input) {
+  return {{"name", input.name},
+          {"width", input.width()},
+          {"height", input.height()},
+          {"hash", pixel_hash(input.binary.view())},
+          {"grey_hash", pixel_hash(input.grey.view())}};
+}
+
 Json row_json(const RowCount& count) {
   const TimedRow& row = *count.row;
   Json json = {{"row", row.name}};
@@ -47,23 +55,14 @@ Json build_json() {
 }
 
 Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t max_steps) {
-  Json document = {{"schema", kCountsSchema},
-                   {"kind", kInstructionsKind},
-                   {"build", build_json()},
-                   {"valgrind", counts.callgrind.version},
-                   {"input",
-                    {{"name", input.name},
-                     {"width", input.width()},
-                     {"height", input.height()},
-                     {"hash", pixel_hash(input.binary.view())},
-                     {"grey_hash", pixel_hash(input.grey.view())}}},
-                   {"rows", Json::array()},
-                   {"skipped", Json::array()},
-                   {"max_steps", max_steps}};
+  Json document = {{"schema", kCountsSchema},    {"kind", kInstructionsKind},
+                   {"build", build_json()},      {"valgrind", counts.callgrind.version},
+                   {"input", input_json(input)}, {"rows", Json::array()},
+                   {"skipped", Json::array()},   {"max_steps", max_steps}};
+  for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
   for (const SkippedRow& row : counts.skipped) {
     document["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
   }
-  for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
   return document;
 }
 

@@ -1,4 +1,4 @@
-// Counts as JSON files and as tables of text.
+// Counts as a JSON file and as a table of text.
 #pragma once
 
 #include <cstdint>

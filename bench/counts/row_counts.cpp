@@ -29,14 +29,12 @@ using Json = nlohmann::json;
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// What the child finds of its call: {} where that takes too many steps.
+/// What the child says: {} where the call takes too many steps.
 Json answer_of(const TimedRow& row, std::uint64_t max_steps) {
   Json answer = Json::object();
   try {
     with_warm_call(row, [&](const CountedCall& call) {
-      if (const auto steps = steps_of(call, max_steps)) {
-        answer = {{"instructions", steps->instructions}};
-      }
+      if (const auto count = instructions_of(call, max_steps)) answer["instructions"] = *count;
     });
   } catch (const std::exception& error) {
     answer = {{"why_not", error.what()}};
@@ -149,21 +147,7 @@ Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, Callgrind
   return counted;
 }
 
-ByteImage small_copy_of(const ByteImage& image) {
-  constexpr Index kAcross = 5;
-  constexpr Index kDown = 16;
-  ByteImage few((image.width() + kAcross - 1) / kAcross, (image.height() + kDown - 1) / kDown);
-  for (Index y = 0; y < few.height(); ++y) {
-    for (Index x = 0; x < few.width(); ++x) few.at(x, y) = image.at(x * kAcross, y * kDown);
-  }
-  return few;
-}
-
 }  // namespace
-
-TimedInput small_copy(const TimedInput& input) {
-  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
-}
 
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
   const Json answer = answer_of_child(row, max_steps);

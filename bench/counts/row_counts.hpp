@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "counts/callgrind.hpp"
-#include "measure/inputs.hpp"
 #include "measure/timed_row.hpp"
 
 namespace thinbench {
@@ -33,11 +32,6 @@ struct RowCounts {
   std::vector<SkippedRow> skipped;
   CallgrindUse callgrind = {};
 };
-
-/// Every 5th pixel of every 16th row, named "<input>_small", as every instruction takes
-/// microseconds: the scene becomes 102 x 26 pixels, more than a word in a row and few rows, with
-/// all its parts and most of their holes.
-[[nodiscard]] TimedInput small_copy(const TimedInput& input);
 
 /// Counts single steps in a child process, which has made the row ready and called it once before:
 /// memory lies alike whatever was counted earlier. None where a call takes more than `max_steps`.

@@ -1,11 +1,8 @@
 #include "counts/single_steps.hpp"
 
 #if defined(__x86_64__)
-#include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <memory>
-#include <span>
 #include <system_error>
 
 #include <ucontext.h>
@@ -21,7 +18,7 @@ struct Walk {
   std::uint64_t most = 0;
   std::uint64_t taken = 0;
   std::uint64_t instructions = 0;
-  std::uint64_t* addresses = nullptr;  // room for one more than `most`
+  std::uint64_t latest = 0;  // address of an instruction
 };
 
 Walk walk;
@@ -30,8 +27,8 @@ Walk walk;
 void on_trap(int, siginfo_t*, void* context) {
   auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
   const auto next = static_cast<std::uint64_t>(registers[REG_RIP]);
-  const bool repeats = walk.instructions > 0 && next == walk.addresses[walk.instructions - 1];
-  if (!repeats) walk.addresses[walk.instructions++] = next;
+  if (next != walk.latest) ++walk.instructions;
+  walk.latest = next;
   if (++walk.taken > walk.most) registers[REG_EFL] &= ~static_cast<greg_t>(kTrapFlag);
 }
 
@@ -56,9 +53,8 @@ class TrapHandler {
 };
 
 /// The instructions of a call and of setting and clearing the flag round it.
-[[gnu::noinline]] Walk walk_through(const std::function<void()>& call, std::uint64_t most,
-                                    std::uint64_t* addresses) {
-  walk = {.most = most, .addresses = addresses};
+[[gnu::noinline]] Walk walk_through(const std::function<void()>& call, std::uint64_t most) {
+  walk = {.most = most};
   std::atomic_signal_fence(std::memory_order_seq_cst);
   __writeeflags(__readeflags() | kTrapFlag);
   call();
@@ -67,28 +63,16 @@ class TrapHandler {
   return walk;
 }
 
-std::unique_ptr<std::uint64_t[]> room_for(std::uint64_t most) {
-  return std::make_unique_for_overwrite<std::uint64_t[]>(most + 1);
-}
-
 }  // namespace
 
-std::optional<ExecutedSteps> steps_of(const std::function<void()>& call, std::uint64_t max_steps) {
-  constexpr std::uint64_t kMostRoundACall = 1000;
+std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
+                                             std::uint64_t max_steps) {
+  constexpr std::uint64_t kMaxCallOverhead = 1000;
   const TrapHandler handler;
-  const auto round_it = room_for(kMostRoundACall);
-  const Walk empty = walk_through([] {}, kMostRoundACall, round_it.get());
-  const auto room = room_for(max_steps + empty.taken);
-  const Walk all = walk_through(call, max_steps + empty.taken, room.get());
+  const Walk empty = walk_through([] {}, kMaxCallOverhead);
+  const Walk all = walk_through(call, max_steps + empty.taken);
   if (all.taken > all.most) return std::nullopt;
-  const std::span before(round_it.get(), empty.instructions);
-  const std::span steps(room.get(), all.instructions);
-  const auto first = std::ranges::mismatch(steps, before).in1;
-  const auto last =
-      std::mismatch(steps.rbegin(), steps.rend(), before.rbegin(), before.rend()).first;
-  ExecutedSteps found{all.instructions - empty.instructions, {}};
-  if (first < last.base()) found.addresses.assign(first, last.base());
-  return found;
+  return all.instructions - empty.instructions;
 }
 
 }  // namespace thinbench
@@ -97,7 +81,7 @@ std::optional<ExecutedSteps> steps_of(const std::function<void()>& call, std::ui
 
 namespace thinbench {
 
-std::optional<ExecutedSteps> steps_of(const std::function<void()>&, std::uint64_t) {
+std::optional<std::uint64_t> instructions_of(const std::function<void()>&, std::uint64_t) {
   return std::nullopt;
 }
 

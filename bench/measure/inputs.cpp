@@ -44,6 +44,16 @@ ByteImage enlarged(const ByteImage& original, Index times) {
   return image;
 }
 
+ByteImage small_copy_of(const ByteImage& image) {
+  constexpr Index across = 5;
+  constexpr Index down = 16;
+  ByteImage few((image.width() + across - 1) / across, (image.height() + down - 1) / down);
+  for (Index y = 0; y < few.height(); ++y) {
+    for (Index x = 0; x < few.width(); ++x) few.at(x, y) = image.at(x * across, y * down);
+  }
+  return few;
+}
+
 ByteImage squares(Index size, Index side) {
   const auto inside = [side](Index place) {
     const Index phase = place % (2 * side);
@@ -175,6 +185,10 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice, std::ostream* lo
   for (const std::string& name : choice.drawn) inputs.push_back(drawn_input(name));
   if (inputs.empty()) inputs.push_back(drawn_input("scene"));
   return inputs;
+}
+
+TimedInput small_copy(const TimedInput& input) {
+  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
 }
 
 std::string pixel_hash(ConstImageView image) {

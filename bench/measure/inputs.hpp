@@ -58,6 +58,10 @@ struct InputChoice {
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice,
                                                    std::ostream* log = nullptr);
 
+/// Every 5th pixel of every 16th row, named "<input>_small": the scene becomes 102 x 26 pixels,
+/// more than a word in a row and few rows, with all its parts and most of their holes.
+[[nodiscard]] TimedInput small_copy(const TimedInput& input);
+
 /// FNV-1a over the pixels, row by row, as 16 hexadecimal digits.
 [[nodiscard]] std::string pixel_hash(ConstImageView image);
 

@@ -5,7 +5,6 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "counts/documents.hpp"
-#include "counts/row_counts.hpp"
 #include "measure/timed_row.hpp"
 #include "study/study.hpp"
 #include "support/whole_file.hpp"
@@ -18,33 +17,28 @@ struct InstructionsOptions {
   std::string image;
   std::string out;
   BinariseOptions binarise;
-  std::uint64_t max_steps = 0;  // 0 for what suits the input
+  std::uint64_t max_steps = 0;  // 0 for what takes a minute or two
   bool json = false;
 
   [[nodiscard]] std::uint64_t steps() const {
     if (max_steps > 0) return max_steps;
-    return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
+    return why_no_callgrind().empty() ? 400000 : 30000;
   }
 };
 
-TimedInput input_for(const InstructionsOptions& options, std::ostream& log) {
+/// One, in the form that rows are selected by.
+std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostream& log) {
   std::vector<std::string> pictures;
   if (!options.image.empty()) pictures.push_back(options.image);
-  TimedInput whole = std::move(timed_inputs({pictures, options.binarise, {}}, &log).front());
-  return small_copy(whole);
-}
-
-/// The one input in the form that rows are selected by.
-std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostream& log) {
-  std::vector<TimedInput> inputs;
-  inputs.push_back(input_for(options, log));
+  std::vector<TimedInput> inputs = timed_inputs({pictures, options.binarise, {}}, &log);
+  inputs.front() = small_copy(inputs.front());
   return inputs;
 }
 
 /// The rows on one thread, verified.
 Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
-  Selection selection = select_rows_or_explain({options.filter, VariantChoice::all, {2}, false},
-                                               all_operations(), inputs);
+  Selection selection =
+      select_rows_or_explain({.filter = options.filter, .peers = false}, all_operations(), inputs);
   if (!selection.mismatches.empty()) {
     throw std::runtime_error("rows that are not equal to their references are not counted");
   }
@@ -59,38 +53,25 @@ Selection selected(const InstructionsOptions& options, const std::vector<TimedIn
   return selection;
 }
 
-struct Results {
-  nlohmann::ordered_json document;
-  std::string table;
-  std::size_t skipped;
-  std::string why_not_callgrind;
-};
-
-Results counted(const InstructionsOptions& options, std::ostream& log) {
-  const std::vector<TimedInput> inputs = inputs_for(options, log);
-  const Selection selection = selected(options, inputs);
-  const RowCounts counts = counts_of(selection.rows, options.steps());
-  return {counts_json(inputs.front(), counts, options.steps()), counts_table(counts),
-          counts.skipped.size(), counts.callgrind.why_not};
-}
-
-void report_skipped(const Results& results, const InstructionsOptions& options,
-                    const Console& console) {
-  if (!results.why_not_callgrind.empty()) {
-    console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
+void report_skipped(const RowCounts& counts, std::uint64_t max_steps, std::ostream& log) {
+  if (!counts.callgrind.why_not.empty()) {
+    log << counts.callgrind.why_not << ": rows are counted by single steps instead\n";
   }
-  if (results.skipped == 0) return;
-  console.err << results.skipped << (results.skipped == 1 ? " row was" : " rows were")
-              << " not counted: more than " << options.steps() << " single steps\n";
+  if (counts.skipped.empty()) return;
+  log << counts.skipped.size() << (counts.skipped.size() == 1 ? " row was" : " rows were")
+      << " not counted: more than " << max_steps << " single steps\n";
 }
 
 int run(const InstructionsOptions& options, const Console& console) {
   if (!options.out.empty()) check_target(options.out);
-  const Results results = counted(options, console.err);
-  const std::string json = results.document.dump(1) + "\n";
+  const std::uint64_t max_steps = options.steps();
+  const std::vector<TimedInput> inputs = inputs_for(options, console.err);
+  const Selection selection = selected(options, inputs);
+  const RowCounts counts = counts_of(selection.rows, max_steps);
+  const std::string json = counts_json(inputs.front(), counts, max_steps).dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
-  report_skipped(results, options, console);
-  console.out << (options.json ? json : results.table);
+  report_skipped(counts, max_steps, console.err);
+  console.out << (options.json ? json : counts_table(counts));
   return kSuccess;
 }
 

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "counts/limits.hpp"
-
 namespace thinbench {
 namespace {
 

@@ -1,8 +1,6 @@
 #include "counts/single_steps.hpp"
 
-#include <algorithm>
 #include <array>
-#include <map>
 
 #include <gtest/gtest.h>
 
@@ -21,13 +19,6 @@ void turn(std::uint64_t turns) {
       :
       : "r"(turns)
       : "rcx", "cc");
-}
-
-std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
-                                             std::uint64_t max_steps) {
-  const auto steps = steps_of(call, max_steps);
-  if (!steps) return std::nullopt;
-  return steps->instructions;
 }
 
 std::uint64_t instructions_of_turns(std::uint64_t turns) {
@@ -59,16 +50,6 @@ TEST(SingleSteps, an_instruction_that_repeats_itself_counts_once) {
   count = from.size();
   EXPECT_EQ(instructions_of(copy, kEnough), some);
   EXPECT_LT(some.value_or(kEnough), 40U);
-}
-
-TEST(SingleSteps, addresses_are_those_of_the_call_in_the_order_of_execution) {
-  const auto steps = steps_of([] { turn(1000); }, kEnough);
-  ASSERT_TRUE(steps);
-  EXPECT_NEAR(static_cast<double>(steps->addresses.size()),
-              static_cast<double>(steps->instructions), 100);
-  std::map<std::uint64_t, int> times;
-  for (const std::uint64_t address : steps->addresses) ++times[address];
-  EXPECT_EQ(std::ranges::count_if(times, [](const auto& one) { return one.second == 1000; }), 2);
 }
 
 TEST(SingleSteps, a_call_with_too_many_steps_is_finished_and_not_counted) {

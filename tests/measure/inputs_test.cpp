@@ -117,6 +117,16 @@ TEST(DrawnInput, rejects_other_names_and_sizes) {
   }
 }
 
+TEST(SmallCopy, has_few_rows_of_more_than_a_word) {
+  const TimedInput scene = drawn_input("scene");
+  const TimedInput small = small_copy(scene);
+  EXPECT_EQ(small.name, "scene_small");
+  EXPECT_EQ(small.width(), 102);
+  EXPECT_EQ(small.height(), 26);
+  EXPECT_EQ(small.binary.at(101, 25), scene.binary.at(505, 400));
+  EXPECT_EQ(small.grey.at(7, 9), scene.grey.at(35, 144));
+}
+
 std::uint64_t hash_of_pixels(const ByteImage& image) {
   return std::stoull(pixel_hash(image.view()), nullptr, 16);
 }

@@ -20,15 +20,6 @@ Words count_command(const Words& more) {
   return words;
 }
 
-TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
-  const ProgramRun run = run_with(count_command({"--limits", "--quick", "--json"}));
-  EXPECT_EQ(run.status, 0) << run.err;
-  const Json json = Json::parse(run.out);
-  EXPECT_EQ(json.at("/input/height"_json_pointer), 24);
-  ASSERT_EQ(json.at("rows").size(), 1U);
-  EXPECT_GT(json.at("/rows/0/instructions_per_cycle"_json_pointer), 0.1);
-}
-
 TEST(InstructionsCommand, image_is_binarised_by_the_given_options) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("a.png");

@@ -59,7 +59,6 @@ const std::vector<Rejected> kRejected = {
     {"verify --threads 0", 2, "--threads: expected an integer in [1, 1024], got '0'; see"},
     {"instructions --foreground dark", 2, "--foreground requires --image; see"},
     {"instructions --image absent.png", 1, "cannot read 'absent.png': there is no such file"},
-    {"instructions --quick", 2, "--quick goes with --limits only"},
     {"instructions --filter ^euler_number/reference/", 2,
      "filter '^euler_number/reference/' matches only references or rows with threads"},
     {"instructions --filter ^euler_number/.*/avx2/", 2,
