@@ -163,7 +163,7 @@ void initialize(std::vector<std::string>& words) {
 void add_options(CLI::App& app, BenchmarkOptions& options) {
   add_row_options(app, options.inputs, options.rows);
   app.add_option("--seconds-per-row", options.seconds_per_row,
-                 "how long the repetitions of a row take, about; there are 2 to 25")
+                 "how long the repetitions of a row take, about; there are 4 to 25")
       ->capture_default_str()
       ->check(real_number(0, 100))
       ->type_name("S");

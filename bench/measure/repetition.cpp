@@ -16,7 +16,7 @@ namespace {
 constexpr double kRepetition = 0.0003;
 /// Calls longer than this are not warmed up: it would take as long as measuring.
 constexpr double kSlowCall = 0.05;
-constexpr double kMinRepetitions = 2;
+constexpr double kMinRepetitions = 4;
 constexpr double kMaxRepetitions = 25;
 
 /// Memory of random size before a job is made: large blocks would lie at the same place of a page

@@ -99,11 +99,13 @@ class Estimates:
         return self._found[name]
 
     def _time(self, table: pd.DataFrame) -> Time:
-        """Where too few repetitions were quiet, as many of the calmest count, and nothing is settled."""
+        """Where too few repetitions were quiet, as many of the calmest count, at the clock of the run, and nothing is
+        settled."""
         quiet = table[table["quiet"]]
         settled = len(quiet) >= NEEDED and quiet["process"].nunique() >= NEEDED_PROCESSES
         used = quiet if settled else table.loc[table[["before", "after"]].max(axis=1).nsmallest(NEEDED).index]
-        relative, process = used["relative"].to_numpy(), used["process"].to_numpy()
+        relative = (used["relative"] if settled else used["ns"] / self.probe_ns).to_numpy()
+        process = used["process"].to_numpy()
         draws = self.probe_ns * _quantiles(relative, self._counts[:, process])
         low, high = np.quantile(draws, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
         value = self.probe_ns * float(_quantiles(relative, np.ones((1, len(relative))))[0])

@@ -68,12 +68,12 @@ def test_known_rows_and_their_controls_are_measured(facts: Path, tmp_path: Path)
         assert int(line["calls"]) >= 1
         assert all(float(line[name]) > 0 for name in COLUMNS[3:] if name != "cpu_ns")
     repetitions = Counter(line["row"] for line in lines)
-    assert all(2 <= count <= 25 for count in repetitions.values())
+    assert all(4 <= count <= 25 for count in repetitions.values())
 
 
 def test_more_seconds_are_more_repetitions(facts: Path, tmp_path: Path) -> None:
     few, many = (len(measured(tmp_path, "--known", facts, "--seconds-per-row", seconds)) for seconds in ("0", "1"))
-    assert (few, many) == (4 * 2, 4 * 25)
+    assert (few, many) == (4 * 4, 4 * 25)
 
 
 def test_the_injected_delay_is_a_tenth_of_what_the_facts_say(facts: Path, tmp_path: Path) -> None:
@@ -126,5 +126,5 @@ def test_google_benchmarks_json_has_every_repetition() -> None:
                       "--seconds-per-row", "0", "--benchmark_format=json")
     found = json.loads(done.stdout)["benchmarks"]
     names = [row["name"] for row in found if row["run_type"] == "iteration"]
-    assert names.count(NAME) == 2
+    assert names.count(NAME) == 4
     assert all(row["probe_before"] > 0 for row in found if row["run_type"] == "iteration")
