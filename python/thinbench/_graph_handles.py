@@ -43,6 +43,16 @@ def _pixel_of(pixel: Sequence[int]) -> tuple[int, int]:
     return column, row
 
 
+def pruning(min_length: float, min_widths: float, removes_components: bool, distances: Array | None,
+            spacing: tuple[float, float], image: str) -> tuple[bytes, Any]:
+    """A thinbench_pruning struct, and what must live as long; `image` is the argument that gives distances."""
+    widths = _arrays.real("min_widths", min_widths)
+    if distances is None and widths > 0:
+        raise ValueError(f"min_widths: expected {image}=..., what was thinned, beside it, got {widths:g} without")
+    parts = None if distances is None else _arrays.numbers(distances), _library.spacing(*spacing)
+    return _library.pruning(_arrays.real("min_length", min_length), widths, *parts, bool(removes_components)), parts
+
+
 def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None, *,
           has_labels: bool = False) -> Graph:
     """The graph of a handle, which is destroyed."""

@@ -58,11 +58,6 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall"
         The skeleton in the same bit order, unused bits are 0. With `return_iterations` a tuple of
         this and an int.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
     Examples
     --------
     >>> import numpy as np

@@ -58,7 +58,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     request = _library.PATH_REQUEST.pack(_library.PATH_REQUEST.size, *_pixel("start", start), *_pixel("goal", goal),
                                          _arrays.real("width", width))
     result = ctypes.create_string_buffer(_library.FOUND_PATH.pack(_library.FOUND_PATH.size, 0, 0, 0))
-    _library.find_path(_arrays.image(image), request, _library.execution(_arrays.integer("threads", threads)),
+    _library.find_path(_arrays.image(image), request, _arrays.execution(threads),
                        found.ctypes.data, result)
     _, count, _, _ = _library.FOUND_PATH.unpack_from(result)
     if count == 0:

@@ -39,11 +39,6 @@ class Rule:
     optimise : bool
         Search for fewer gates, up to 2 s per table instead of 20 ms.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     Examples
     --------
     >>> import numpy as np

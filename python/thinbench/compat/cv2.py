@@ -149,9 +149,9 @@ def connectedComponentsWithStats(  # noqa: N802
     """
     if stats is not None or centroids is not None:
         raise NotImplementedError("stats, centroids: expected None; use cv2.connectedComponentsWithStats")
-    found, objects = _images.numbered_objects(*_checked(image, connectivity, ltype))
-    found = _converted(found, len(objects), ltype, labels)
-    count = len(objects) + 1
+    found, (objects, number) = _images.numbered_objects(*_checked(image, connectivity, ltype))
+    found = _converted(found, number, ltype, labels)
+    count = number + 1
     table = np.empty((count, 5), np.int32)
     centres = np.empty((count, 2))
     table[0], centres[0] = _background(found, objects)
