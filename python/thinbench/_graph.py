@@ -139,20 +139,14 @@ def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing:
         Nonzero is foreground. At most 32767 pixels on a side.
     rule : str or Rule
         As for `thin`.
-    spacing : float or two floats
-        The distance between rows, and between columns.
-    threads : int
-        The maximum number of threads.
+    spacing, threads
+        As for `distances`.
 
     Returns
     -------
     skeleton : array of the shape and dtype of the image
     distances : array of float64, shape (H, W)
         0 outside the skeleton.
-
-    References
-    ----------
-    docs/graphs.md: how distances are defined.
 
     Examples
     --------
@@ -184,11 +178,6 @@ def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.ND
         Positions in `PIXEL_CLASSES`: "background", "isolated", "end", "line", "junction".
     degrees : array of uint8, shape (H, W)
         0 to 4; 0 on background.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the image does not fit.
 
     References
     ----------

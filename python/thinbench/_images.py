@@ -126,12 +126,10 @@ def fill_holes_of_labels(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] =
     ----------
     labels : array of bool or integers, shape (H, W)
         0 is background. Never modified.
-    connectivity : {8, 4}
-        Of labels; holes have the other one.
+    connectivity, threads
+        As in `fill_holes`, of labels.
     max_area : int, optional
         Fill only holes of which at most so many pixels, 0 to 2**31 - 1, are to be filled.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
         Receives the result: same shape and dtype as `labels`, C-contiguous. May be `labels`.
 
@@ -172,12 +170,8 @@ def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threa
 
     Parameters
     ----------
-    image : array of bool or uint8, shape (H, W)
-        Nonzero is foreground.
-    connectivity : {8, 4}
-        Of objects; holes have the other one.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
+    image, connectivity, threads
+        As in `fill_holes`.
 
     Returns
     -------
@@ -211,10 +205,8 @@ def label_image(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     ----------
     image : array of bool or uint8, shape (H, W)
         Nonzero is foreground. At most 2**31 pixels.
-    connectivity : {8, 4}
-        Of objects.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
+    connectivity, threads
+        As in `fill_holes`.
 
     Returns
     -------
@@ -487,10 +479,8 @@ def localise_objects(image: npt.ArrayLike, gradient_threshold: int = 40, brightn
     ----------
     image : array of uint8, shape (H, W)
         Grey levels of dark objects on a bright background.
-    gradient_threshold, brightness_threshold : int
+    gradient_threshold, brightness_threshold, threads
         As in `detect_edges`.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
@@ -513,9 +503,9 @@ def localise_objects(image: npt.ArrayLike, gradient_threshold: int = 40, brightn
     [9.5] [False]
     """
     image = _arrays.grey(image)
-    return columns(_regions(
-        _library.localise_objects, _arrays.image(image), None, _arrays.integer("gradient_threshold", gradient_threshold),
-        _arrays.integer("brightness_threshold", brightness_threshold), _arrays.execution(threads)))
+    return columns(_regions(_library.localise_objects, _arrays.image(image), None,
+                            _arrays.integer("gradient_threshold", gradient_threshold),
+                            _arrays.integer("brightness_threshold", brightness_threshold), _arrays.execution(threads)))
 
 
 def columns(regions: Regions) -> Columns:

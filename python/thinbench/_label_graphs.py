@@ -30,19 +30,13 @@ def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = Non
         0 is background; `thin_labels(labels)` makes such an image.
     labels : array of bool or integers, shape (H, W), optional
         What was thinned, for the widths of edges.
-    spacing : float or two floats
+    spacing, threads
         As for `skeleton_graph`.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
     Graph
         Nodes and edges have a column "label", by which they are sorted.
-
-    References
-    ----------
-    docs/graphs.md: the definition of nodes and edges.
 
     Examples
     --------
@@ -79,10 +73,6 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     Returns
     -------
     array of the shape and dtype of the skeletons
-
-    References
-    ----------
-    docs/graphs.md: the definition of branches.
 
     Examples
     --------

@@ -37,8 +37,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     Raises
     ------
     TypeError, ValueError
-        If start or goal is outside or has no room, if there is no path, or if an argument does not
-        fit. Points are named by row and column.
+        If start or goal is outside or has no room, or if there is no path, which begins with "no path".
 
     References
     ----------

@@ -21,7 +21,7 @@ def rule_of(rule: str | Rule) -> Rule:
     if isinstance(rule, Rule):
         return rule
     if not isinstance(rule, str):
-        raise TypeError(f"rule: expected a name or a Rule, got {rule!r}")
+        raise TypeError(f"rule: expected a name or a Rule, got {type(rule).__name__}; Rule(tables) makes one")
     return _named(rule)
 
 

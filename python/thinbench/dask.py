@@ -113,15 +113,7 @@ def find_regions(array: Any) -> dict[str, Any]:
 def label_regions(array: Any) -> tuple[dict[str, Any], Any]:
     """Find objects and holes of a binary image that is a dask array, and label their pixels.
 
-    Parameters
-    ----------
-    array
-        As in `thinbench.dask.find_regions`.
-
-    Returns
-    -------
-    dict of arrays, and a dask array of int32, shape (H, W)
-        As `thinbench.label_regions`. The dict is in memory, the image of labels is lazy.
+    Returns the table of `find_regions`, and a lazy array of int32, shape (H, W), as `thinbench.label_regions`.
 
     Examples
     --------

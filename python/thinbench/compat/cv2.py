@@ -95,10 +95,6 @@ def connectedComponents(image: npt.ArrayLike, labels: npt.NDArray[Any] | None = 
     TypeError, ValueError
         If an argument does not fit, also for an empty image and for more labels than `ltype` has.
 
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
-
     Examples
     --------
     >>> import numpy as np
@@ -192,10 +188,6 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
         For other types of distance and masks, which are in OpenCV.
     TypeError, ValueError
         If an argument does not fit, also for an empty image.
-
-    References
-    ----------
-    docs/graphs.md: exact integers.
 
     Examples
     --------
