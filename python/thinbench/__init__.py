@@ -1,6 +1,6 @@
 """Thinning, edges, objects, holes and graphs of images, exact to the pixel and fast.
 
-An argument that does not fit raises TypeError or ValueError, which names the value; then no result is written.
+An argument that does not fit raises TypeError or ValueError, which names it; then no result is written.
 
 >>> import numpy as np
 >>> import thinbench
