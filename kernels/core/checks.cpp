@@ -76,10 +76,6 @@ bool same_memory(const Memory& a, const Memory& b) {
   return a.data == b.data && a.stride == b.stride && a.image_stride == b.image_stride;
 }
 
-bool same_image(const ConstImageView& a, const ConstImageView& b) {
-  return a.data == b.data && a.stride == b.stride;
-}
-
 /// Bytes from `begin` to `end` that belong to image `image` of a list.
 struct ListedBytes {
   std::uintptr_t begin;
@@ -113,19 +109,22 @@ std::optional<Conflict> find_conflict(std::vector<ListedBytes> all) {
 std::vector<ListedBytes> bytes_of(std::span<const ConstImageView> sources,
                                   std::span<const ImageView> destinations, bool by_rows) {
   std::vector<ListedBytes> all;
-  const auto add = [&](const ConstImageView& view, std::size_t image, bool is_destination) {
-    const Index all_bytes = bytes_of(memory_of("", view));
-    const Index bytes = by_rows ? view.width : all_bytes;
-    const Index rows = by_rows ? view.height : 1;
+  const auto add = [&](const Memory& memory, std::size_t image, bool is_destination) {
+    const Index all_bytes = bytes_of(memory);
+    const Index bytes = by_rows ? memory.width : all_bytes;
+    const Index rows = by_rows ? memory.rows : 1;
+    const auto* const data = static_cast<const std::uint8_t*>(memory.data);
     for (Index y = 0; y < rows && all_bytes > 0; ++y) {
-      const auto begin = reinterpret_cast<std::uintptr_t>(view.row(y));
+      const auto begin = reinterpret_cast<std::uintptr_t>(data + y * memory.stride);
       all.push_back({begin, begin + static_cast<std::uintptr_t>(bytes), image, is_destination});
     }
   };
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (!same_image(sources[i], destinations[i])) add(sources[i], i, false);
+    const Memory source = memory_of("", sources[i]);
+    const Memory destination = memory_of("", destinations[i]);
+    if (!same_memory(source, destination)) add(source, i, false);
+    add(destination, i, true);
   }
-  for (std::size_t i = 0; i < sources.size(); ++i) add(destinations[i], i, true);
   return all;
 }
 

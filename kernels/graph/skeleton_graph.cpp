@@ -3,7 +3,6 @@
 
 #include "core/checks.hpp"
 #include "graph/state.hpp"
-#include "graph/widths.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -19,7 +18,7 @@ void check(const Pruning& pruning, const ConstImageView& skeleton) {
                       distances.height == skeleton.height,
                   "min_widths: expected distances of size " +
                       detail::size_text(skeleton.width, skeleton.height));
-  detail::check_distances(distances);
+  detail::check(detail::memory_of("distances", distances));
 }
 
 }  // namespace

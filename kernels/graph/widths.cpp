@@ -1,8 +1,6 @@
-#include "graph/widths.hpp"
-
+// Widths of lines from distances to the background.
 #include <algorithm>
 #include <numeric>
-#include <string>
 
 #include "core/checks.hpp"
 #include "core/variant.hpp"
@@ -29,17 +27,10 @@ EdgeWidths summary_of(std::vector<double>& widths) {
 
 }  // namespace
 
-void detail::check_distances(const View<const double>& distances) {
-  const auto [data, width, height, stride] = distances;
-  require(data != nullptr || width == 0 || height == 0, "distances has no data");
-  require(stride >= width, "distances has a stride of " + std::to_string(stride) +
-                               ", below its width of " + std::to_string(width));
-}
-
 std::vector<EdgeWidths> edge_widths(const Graph& graph, View<const double> distances,
                                     const Execution& execution) {
   detail::require_execution(execution);
-  detail::check_distances(distances);
+  detail::check(detail::memory_of("distances", distances));
   std::vector<EdgeWidths> found;
   std::vector<double> widths;
   for (const GraphEdge& edge : graph.edges) {

@@ -98,14 +98,14 @@ class Flood {
       spread<true>(y, y - 1);
       if (mirrored > y) spread<true>(mirrored, mirrored + 1);
     }
-    Rows from_above = {middle, image_.height - 1};
-    Rows from_below = {0, middle - 1};
+    FloodRows from_above = {middle, image_.height - 1};
+    FloodRows from_below = {0, middle - 1};
     Index left = (kMaxFloodVisits - 1) * image_.height;
     while (left > 0 && !(from_above.empty() && from_below.empty())) {
-      const Rows lowered = scan<1>(from_above, left);
+      const FloodRows lowered = scan<1>(from_above, left);
       from_below.add(lowered.first - 1, lowered.last - 1);
       from_above = {};
-      const Rows raised = scan<-1>(from_below, left);
+      const FloodRows raised = scan<-1>(from_below, left);
       from_above.add(raised.first + 1, raised.last + 1);
       from_below = {};
     }
@@ -116,7 +116,7 @@ class Flood {
   using Word = typename Spread::Word;
   using Traits = WordTraits<Word>;
 
-  struct Rows {
+  struct FloodRows {
     Index first = kNone;
     Index last = -kNone;
 
@@ -136,8 +136,8 @@ class Flood {
   /// Visits `rows`, and those after them as long as rows change, each after the row `step` before
   /// it. Returns the rows that changed.
   template <Index step>
-  [[gnu::always_inline]] Rows scan(const Rows& rows, Index& left) {
-    Rows changed;
+  [[gnu::always_inline]] FloodRows scan(const FloodRows& rows, Index& left) {
+    FloodRows changed;
     const Index end = step > 0 ? image_.height : -1;
     const Index last = step > 0 ? rows.last : rows.first;
     if (rows.empty()) return changed;

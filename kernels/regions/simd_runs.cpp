@@ -17,8 +17,8 @@ inline namespace THINBENCH_ISA {
 namespace {
 
 using KeyBatch = BatchOf<Key>;
-constexpr Index kLanes = static_cast<Index>(KeyBatch::size);
-static_assert(kLanes <= kKeyPadding);
+constexpr Index kKeyLanes = static_cast<Index>(KeyBatch::size);
+static_assert(kKeyLanes <= kKeyPadding);
 static_assert(std::is_same_v<Key, IntBatch::value_type>);
 
 /// As find_keys_of_word; with byte compress it writes whole vectors of keys.
@@ -72,7 +72,7 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
 /// Whether each of runs [0, count] touches its counterpart above and no other run.
 [[gnu::always_inline]] inline bool all_match(const Key* above, const Key* here, Index count) {
   auto disjoint = KeyBatch(0) > KeyBatch(0);
-  for (Index i = 0; i <= count; i += kLanes) {
+  for (Index i = 0; i <= count; i += kKeyLanes) {
     const auto above_begin = KeyBatch::load_unaligned(above + i - 1);
     const auto above_end = KeyBatch::load_unaligned(above + i);
     const auto here_begin = KeyBatch::load_unaligned(here + i - 1);
@@ -128,7 +128,7 @@ struct Matching {
 [[gnu::always_inline]] inline void add_row(const RunAccumulators& accumulators, const Key* keys,
                                            Index count, Index rows_since_start) {
   const KeyBatch row(static_cast<Key>(rows_since_start));
-  for (Index i = 0; i <= count; i += kLanes) {
+  for (Index i = 0; i <= count; i += kKeyLanes) {
     const auto load = [i](const Key* from) { return KeyBatch::load_unaligned(from + i); };
     const KeyBatch begin_key = load(keys - 1);
     const KeyBatch end_key = load(keys);

@@ -12,46 +12,46 @@ namespace thinbench::detail {
 namespace {
 
 /// Canvases of one size.
-using Stack = std::span<const Canvas>;
+using CanvasGroup = std::span<const Canvas>;
 
-/// Stacks that fit into the L2 cache, of canvases sorted by size.
-std::vector<Stack> stacks_of(const std::vector<Canvas>& canvases) {
+/// Groups that fit into the L2 cache, of canvases sorted by size.
+std::vector<CanvasGroup> groups_of(const std::vector<Canvas>& canvases) {
   constexpr Index bytes = Index{1} << 18;
-  std::vector<Stack> stacks;
+  std::vector<CanvasGroup> groups;
   const Canvas* const end = canvases.data() + canvases.size();
   for (const Canvas* first = canvases.data(); first != end;) {
     const Index room = std::max<Index>(1, bytes / (first->width * first->height));
     const Canvas* const last = end_of_size(first, first + std::min(room, end - first));
-    stacks.emplace_back(first, last);
+    groups.emplace_back(first, last);
     first = last;
   }
-  return stacks;
+  return groups;
 }
 
-/// Thins stacks in its own memory.
+/// Thins groups in its own memory.
 class CanvasThinner {
  public:
   CanvasThinner(const ThinningCall& call, const CanvasPainter& painter)
       : call_(call.on_one_thread()), painter_(painter) {}
 
   /// Returns the maximum number of iterations.
-  int operator()(const Stack& stack) {
-    prepare(stack);
-    for (std::size_t i = 0; i < stack.size(); ++i) {
-      painter_.draw(stack[i].item, images_.image(static_cast<Index>(i)));
+  int operator()(const CanvasGroup& group) {
+    prepare(group);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      painter_.draw(group[i].item, images_.image(static_cast<Index>(i)));
     }
     const int iterations = (*thinner_)(images_, images_);
-    for (std::size_t i = 0; i < stack.size(); ++i) {
-      painter_.take(stack[i].item, images_.image(static_cast<Index>(i)));
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      painter_.take(group[i].item, images_.image(static_cast<Index>(i)));
     }
     return iterations;
   }
 
  private:
   /// Makes canvases of zeros.
-  void prepare(const Stack& stack) {
-    const Canvas& first = stack.front();
-    const auto count = static_cast<Index>(stack.size());
+  void prepare(const CanvasGroup& group) {
+    const Canvas& first = group.front();
+    const auto count = static_cast<Index>(group.size());
     if (!thinner_ || first.width != images_.width || first.height != images_.height) {
       thinner_.reset();
       thinner_.emplace(call_.rule, first.width, first.height, call_.thinning, call_.execution);
@@ -96,10 +96,10 @@ const Canvas* end_of_size(const Canvas* first, const Canvas* last) {
 int thin_canvases(const ThinningCall& call, std::vector<Canvas> canvases,
                   const CanvasPainter& painter, const ThreadTeam& team) {
   sort_by_size(canvases);
-  const std::vector<Stack> stacks = stacks_of(canvases);
-  return maximum_in_turns(team, stacks.size(), [&] {
-    return [&, thin_stack = CanvasThinner(call, painter)](std::size_t i) mutable {
-      return thin_stack(stacks[i]);
+  const std::vector<CanvasGroup> groups = groups_of(canvases);
+  return maximum_in_turns(team, groups.size(), [&] {
+    return [&, thin_group = CanvasThinner(call, painter)](std::size_t i) mutable {
+      return thin_group(groups[i]);
     };
   });
 }

@@ -32,7 +32,8 @@ struct CanvasSide {
   Index offset;
 };
 
-struct Label {
+/// A label that is thinned: its runs and its canvas.
+struct ThinnedLabel {
   std::int32_t value;
   Index left, top, right, bottom;  // the box; right and bottom are exclusive
   Index first_run, run_count;      // first_run: among runs that are grouped by label
@@ -87,15 +88,15 @@ std::vector<Run> find_runs(const ConstLabelView& source, const ThreadTeam& team)
 }
 
 /// The labels in raster order of their first pixels; in the runs, their indices replace values.
-std::vector<Label> find_labels(std::vector<Run>& runs) {
-  std::vector<Label> labels;
+std::vector<ThinnedLabel> find_labels(std::vector<Run>& runs) {
+  std::vector<ThinnedLabel> labels;
   std::unordered_map<std::int32_t, std::int32_t> index_of;
   for (Run& run : runs) {
     const auto next = static_cast<std::int32_t>(labels.size());
     const auto [found, is_new] = index_of.try_emplace(run.label, next);
     if (is_new) labels.push_back({run.label, run.first, run.y, 0, 0, 0, 0, {}, {}});
     run.label = found->second;
-    Label& label = labels[static_cast<std::size_t>(run.label)];
+    ThinnedLabel& label = labels[static_cast<std::size_t>(run.label)];
     label.left = std::min<Index>(label.left, run.first);
     label.right = std::max<Index>(label.right, run.last);
     label.bottom = run.y + 1;
@@ -105,10 +106,10 @@ std::vector<Label> find_labels(std::vector<Run>& runs) {
 }
 
 /// The runs grouped by label, so that those of a label lie side by side in memory.
-std::vector<Run> grouped_runs(const std::vector<Run>& runs, std::vector<Label>& labels) {
+std::vector<Run> grouped_runs(const std::vector<Run>& runs, std::vector<ThinnedLabel>& labels) {
   std::vector<Index> next;
   Index count = 0;
-  for (Label& label : labels) {
+  for (ThinnedLabel& label : labels) {
     label.first_run = count;
     next.push_back(count);
     count += label.run_count;
@@ -135,15 +136,16 @@ CanvasSide canvas_side(Index first, Index last, Index image, bool keep_border,
   return {size, at_end ? size - length : margin};
 }
 
-void choose_canvases(std::vector<Label>& labels, const ConstLabelView& source, bool keep_border) {
+void choose_canvases(std::vector<ThinnedLabel>& labels, const ConstLabelView& source,
+                     bool keep_border) {
   using detail::canvas_height, detail::canvas_width;
-  for (Label& label : labels) {
+  for (ThinnedLabel& label : labels) {
     label.columns = canvas_side(label.left, label.right, source.width, keep_border, canvas_width);
     label.rows = canvas_side(label.top, label.bottom, source.height, keep_border, canvas_height);
   }
 }
 
-std::vector<detail::Canvas> canvases_of(const std::vector<Label>& labels) {
+std::vector<detail::Canvas> canvases_of(const std::vector<ThinnedLabel>& labels) {
   std::vector<detail::Canvas> canvases;
   canvases.reserve(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -170,7 +172,7 @@ void write_skeleton(const std::uint8_t* skeleton, Index count, std::int32_t labe
 /// Draws labels on canvases, and writes what is left of them.
 class LabelPainter {
  public:
-  LabelPainter(const std::vector<Label>& labels, const std::vector<Run>& runs,
+  LabelPainter(const std::vector<ThinnedLabel>& labels, const std::vector<Run>& runs,
                const LabelView& destination, bool in_place)
       : labels_(labels), runs_(runs), destination_(destination), in_place_(in_place) {}
 
@@ -182,7 +184,7 @@ class LabelPainter {
 
   /// Unless in place, the destination must be zero.
   void take(std::size_t item, const ConstImageView& canvas) const {
-    const Label& label = labels_[item];
+    const ThinnedLabel& label = labels_[item];
     for_runs(label, [&](Index y, Index x, const Run& run) {
       std::int32_t* to = destination_.row(run.y) + run.first;
       if (in_place_) std::fill_n(to, run.last - run.first, 0);
@@ -193,7 +195,7 @@ class LabelPainter {
  private:
   /// Calls `body(y, x, run)` for each run, which begins at (x, y) of the canvas.
   template <class Body>
-  void for_runs(const Label& label, const Body& body) const {
+  void for_runs(const ThinnedLabel& label, const Body& body) const {
     const Run* runs = &runs_[static_cast<std::size_t>(label.first_run)];
     for (Index i = 0; i < label.run_count; ++i) {
       body(runs[i].y - label.top + label.rows.offset,
@@ -201,7 +203,7 @@ class LabelPainter {
     }
   }
 
-  const std::vector<Label>& labels_;
+  const std::vector<ThinnedLabel>& labels_;
   const std::vector<Run>& runs_;
   LabelView destination_;
   bool in_place_;
@@ -235,7 +237,7 @@ int thin_labels(const Rule& rule, ConstLabelView source, LabelView destination,
   check(call);
   const ThreadTeam team(execution.threads);
   std::vector<Run> runs = find_runs(source, team);
-  std::vector<Label> labels = find_labels(runs);
+  std::vector<ThinnedLabel> labels = find_labels(runs);
   runs = grouped_runs(runs, labels);
   const bool keep_border = thinning.border.value_or(rule.border()) == Border::keep;
   choose_canvases(labels, source, keep_border);

@@ -121,12 +121,15 @@ def image(array: Array) -> bytes:
     return _pack_image(_IMAGE_SIZE, _address(array), width, height, stride if stride > width else width, 0)
 
 
+def result_image(result: Array) -> bytes:
+    """The same of a result, which is contiguous; its foreground is 1 in an array of bool."""
+    height, width = result.shape
+    return _pack_image(_IMAGE_SIZE, _address(result), width, height, width, result.dtype.kind == "b")
+
+
 def images(source: Array, result: Array) -> tuple[bytes, bytes]:
-    """The structs of both; foreground of the result, which is contiguous, is 1 in an array of bool."""
-    height, width = source.shape
-    stride = source.strides[0]
-    return (_pack_image(_IMAGE_SIZE, _address(source), width, height, stride if stride > width else width, 0),
-            _pack_image(_IMAGE_SIZE, _address(result), width, height, width, result.dtype.kind == "b"))
+    """The structs of both."""
+    return image(source), result_image(result)
 
 
 def stacks(source: Array, result: Array) -> tuple[bytes, bytes]:
@@ -163,6 +166,11 @@ def integer(name: str, value: Any) -> int:
     if not -(2**31) <= number < 2**31:
         raise ValueError(f"{name}: expected less than 2**31 in magnitude, got {number}")
     return number
+
+
+def execution(threads: Any) -> bytes | None:
+    """A thinbench_execution struct."""
+    return _library.execution(integer("threads", threads))
 
 
 def limit(max_iterations: Any) -> int:

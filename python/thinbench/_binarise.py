@@ -44,11 +44,6 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
     -------
     array of bool, shape (H, W)
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     References
     ----------
     docs/images.md: what becomes foreground.

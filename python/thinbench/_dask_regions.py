@@ -44,15 +44,10 @@ class Line(NamedTuple):
     is_object: Array
 
 
-def find_regions(array: Any) -> _images.Columns:
-    """As thinbench.dask.find_regions, for a checked array."""
-    return label_regions(array)[0]  # labels are lazy
-
-
 def label_regions(array: Any) -> tuple[_images.Columns, Any]:
     """As thinbench.dask.label_regions, for a checked array."""
     if array.size == 0:
-        return _images.columns(np.empty(0, _images.REGION), 0), array.astype(np.int32)
+        return _images.columns(_images.Regions(np.empty(0, _images.REGION), 0)), array.astype(np.int32)
     chunked = with_chunks_of_at_least(array, 1)
     blocks = chunked.to_delayed()
     parts = _computed_parts(blocks, chunked.chunks, array.shape[1])
@@ -76,12 +71,10 @@ def _computed_parts(blocks: Array, chunks: Any, width: int) -> Array:
 def _labelled(block: Array) -> tuple[Array, int, Array]:
     """Components, how many are foreground, and labels of all pixels."""
     block = _arrays.binary(block)  # in rows: that of a constant dask array is one pixel, repeated
-    labels = np.empty(block.shape, np.int32)
-    found, objects = _images.regions_of(block, labels)
+    (found, objects), labels = _images.regions_and_labels(block)
     # In a frame of foreground every component of the background is a hole.
     framed = np.pad(block, 1, constant_values=1)
-    framed_labels = np.empty(framed.shape, np.int32)
-    framed_found, framed_objects = _images.regions_of(framed, framed_labels)
+    (framed_found, framed_objects), framed_labels = _images.regions_and_labels(framed)
     background = framed_found[framed_objects:].copy()
     for name in ("left", "top", "right", "bottom"):
         background[name] -= 1
@@ -132,12 +125,12 @@ def _joined(parts: Array, shape: tuple[int, int]) -> tuple[_images.Columns, Arra
     touches_border = np.zeros(len(components), bool)
     touches_border[lines.border()] = True
     first = np.concatenate([part.first for part in parts.flat])
-    label_of, found, objects = _merged(components, roots, first, is_object, touches_border,
-                                       lines.above(first, shape[1]))
+    label_of, regions = _merged(components, roots, first, is_object, touches_border,
+                                lines.above(first, shape[1]))
     labels = np.empty(parts.shape, object)
     for (index, part), start in zip(np.ndenumerate(parts), offsets):
         labels[index] = np.append(0, label_of[start:start + len(part.components)]).astype(np.int32)
-    return _images.columns(found, objects), labels
+    return _images.columns(regions), labels
 
 
 class _Lines:
@@ -214,8 +207,8 @@ def _roots(count: int, pairs: Array) -> Array:
 
 
 def _merged(components: Array, roots: Array, first: Array, is_object: Array,
-            touches_border: Array, above: Array) -> tuple[Array, Array, int]:
-    """For each component the label of its region, 0 outside; the regions; the number of objects."""
+            touches_border: Array, above: Array) -> tuple[Array, _images.Regions]:
+    """For each component the label of its region, 0 outside; and the regions."""
     order = np.lexsort((first, roots))  # the first member of each group is the topmost
     is_start = np.append(True, np.diff(roots[order]) != 0)
     starts = np.flatnonzero(is_start)
@@ -232,7 +225,7 @@ def _merged(components: Array, roots: Array, first: Array, is_object: Array,
     label[outside] = 0
     found["enclosing_object"] = np.where(is_object[leader], 0, label[group[above[leader]]])
     kept = rank[:len(starts) - np.count_nonzero(outside)]
-    return label[group], found[kept], int(np.count_nonzero(is_object[leader]))
+    return label[group], _images.Regions(found[kept], int(np.count_nonzero(is_object[leader])))
 
 
 def without_small_holes(block: npt.NDArray[Any], max_size: int) -> npt.NDArray[Any]:

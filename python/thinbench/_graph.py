@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _images, _library, _thinning
-from thinbench._graph_handles import split_graph, taken
+from thinbench._graph_handles import pruning, split_graph, taken
 from thinbench._rules import Rule
 from thinbench._skeleton_graph import Graph
 
@@ -47,11 +47,6 @@ def skeleton_graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, 
     Graph
         The number of its nodes minus that of its edges is `euler_number(skeleton)`.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     References
     ----------
     docs/graphs.md: the definition of nodes and edges.
@@ -66,7 +61,7 @@ def skeleton_graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, 
     ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
     """
     array = _arrays.binary(skeleton, name="skeleton")
-    options = _library.execution(_arrays.integer("threads", threads))
+    options = _arrays.execution(threads)
     lines = _arrays.image(array)
     _check_thin(lines, not_thin)
     units = _arrays.spacing("spacing", spacing)
@@ -108,11 +103,6 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     -------
     array of the shape and dtype of the skeleton
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
     References
     ----------
     docs/graphs.md: the definition of branches.
@@ -127,18 +117,12 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     [0 0 0 0 0 0 0 0 0]
     """
     array = _arrays.binary(skeleton, name="skeleton")
-    options = _library.execution(_arrays.integer("threads", threads))
-    widths = _arrays.real("min_widths", min_widths)
-    if image is None and widths > 0:
-        raise ValueError(f"min_widths: expected image=..., what was thinned, beside it, got {widths:g} without")
+    options = _arrays.execution(threads)
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
-    numbers = None if distances is None else _arrays.numbers(distances)
-    spaces = _library.spacing(*units)
-    pruning = _library.pruning(_arrays.real("min_length", min_length), widths, numbers, spaces,
-                               bool(removes_components))
+    limits, _alive = pruning(min_length, min_widths, removes_components, distances, units, "image")
     result = _arrays.result_for(array, out)
-    _library.prune(*_arrays.images(array, result), pruning, options, None)
+    _library.prune(*_arrays.images(array, result), limits, options, None)
     return result
 
 
@@ -155,25 +139,14 @@ def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing:
         Nonzero is foreground. At most 32767 pixels on a side.
     rule : str or Rule
         As for `thin`.
-    spacing : float or two floats
-        The distance between rows, and between columns.
-    threads : int
-        The maximum number of threads.
+    spacing, threads
+        As for `distances`.
 
     Returns
     -------
     skeleton : array of the shape and dtype of the image
     distances : array of float64, shape (H, W)
         0 outside the skeleton.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/graphs.md: how distances are defined.
 
     Examples
     --------
@@ -205,11 +178,6 @@ def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.ND
         Positions in `PIXEL_CLASSES`: "background", "isolated", "end", "line", "junction".
     degrees : array of uint8, shape (H, W)
         0 to 4; 0 on background.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the image does not fit.
 
     References
     ----------

@@ -43,6 +43,16 @@ def _pixel_of(pixel: Sequence[int]) -> tuple[int, int]:
     return column, row
 
 
+def pruning(min_length: float, min_widths: float, removes_components: bool, distances: Array | None,
+            spacing: tuple[float, float], image: str) -> tuple[bytes, Any]:
+    """A thinbench_pruning struct, and what must live as long; `image` is the argument that gives distances."""
+    widths = _arrays.real("min_widths", min_widths)
+    if distances is None and widths > 0:
+        raise ValueError(f"min_widths: expected {image}=..., what was thinned, beside it, got {widths:g} without")
+    parts = None if distances is None else _arrays.numbers(distances), _library.spacing(*spacing)
+    return _library.pruning(_arrays.real("min_length", min_length), widths, *parts, bool(removes_components)), parts
+
+
 def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None, *,
           has_labels: bool = False) -> Graph:
     """The graph of a handle, which is destroyed."""
@@ -55,7 +65,7 @@ def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Arra
         widths = {} if distances is None else _width_columns(handle, distances, len(edges))
     finally:
         _library.graph_destroy(handle)
-    pixels = Groups(_rows_and_columns(node_pixels), bounds_of(nodes["pixel_count"]))
+    pixels = Groups(node_pixels[:, ::-1], bounds_of(nodes["pixel_count"]))
     chains = _chains(edges, edge_pixels)
     node_columns, edge_columns = _node_columns(nodes, pixels, distances), {**_edge_columns(edges, spacing), **widths}
     if has_labels:
@@ -64,12 +74,8 @@ def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Arra
     return counted(node_columns, edge_columns, spacing, pixels, chains, distances)
 
 
-def _rows_and_columns(pixels: Array) -> Array:
-    return pixels[:, ::-1]
-
-
 def _chains(edges: Array, lines: Array) -> Groups:
-    """The pixels along each edge, from start to stop."""
+    """The rows and columns along each edge, from start to stop."""
     bounds = bounds_of(edges["pixel_count"] + 2)
     first, last = bounds[:-1], bounds[1:] - 1
     values = np.empty((bounds[-1], 2), np.int32)
@@ -77,7 +83,7 @@ def _chains(edges: Array, lines: Array) -> Groups:
     is_line = np.ones(len(values), bool)
     is_line[first] = is_line[last] = False
     values.view(np.int64)[is_line] = lines.view(np.int64)  # a pixel at a time
-    return Groups(_rows_and_columns(values), bounds)
+    return Groups(values[:, ::-1], bounds)
 
 
 def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict[str, Array]:
@@ -91,7 +97,7 @@ def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict
 
 def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array]:
     rows, columns = spacing
-    difference = (_rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])) * spacing
+    difference = (edges["stop"] - edges["start"])[:, ::-1] * spacing
     straight = edges["horizontal_steps"] * columns + edges["vertical_steps"] * rows
     return {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
             "length": straight + edges["diagonal_steps"] * np.sqrt(columns * columns + rows * rows),

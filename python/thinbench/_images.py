@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
-from typing import Any, Literal
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,13 @@ _ONE = np.array(1, np.int32)  # faster than a number of Python
 _LISTS = _library.regions_objects, _library.regions_holes
 
 Columns = dict[str, npt.NDArray[Any]]
+
+
+class Regions(NamedTuple):
+    """Objects, then holes, as an array of REGION, and the number of objects."""
+
+    found: _arrays.Array
+    objects: int
 
 
 def detect_edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int = 40,
@@ -47,11 +54,6 @@ def detect_edges(image: npt.ArrayLike, operator: str = "sobel", gradient_thresho
     array of uint8, shape (H, W)
         255 on edges, else 0. The border is no edge, as its pixels are repeated outside.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
     References
     ----------
     Lazea, Mureşan and Lupu, "Image processing algorithms used in robotics applications", 1999,
@@ -71,7 +73,7 @@ def detect_edges(image: npt.ArrayLike, operator: str = "sobel", gradient_thresho
     _library.detect_edges(name, *_arrays.images(image, result),
                           _arrays.integer("gradient_threshold", gradient_threshold),
                           _arrays.integer("brightness_threshold", brightness_threshold),
-                          _library.execution(_arrays.integer("threads", threads)))
+                          _arrays.execution(threads))
     return result
 
 
@@ -101,15 +103,6 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
         4-connected to the border, for 4-connected objects 8-connected. As scipy's
         `binary_fill_holes`, there with a structure of ones.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
-    References
-    ----------
-    docs/regions.md: background flooded from the border; labelled runs for areas.
-
     Examples
     --------
     >>> import numpy as np
@@ -121,7 +114,7 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     image = _arrays.binary(image)
     result = _arrays.result_for(image, out)
     _library.fill_holes(*_arrays.images(image, result), _filling(connectivity, max_area),
-                        _library.execution(_arrays.integer("threads", threads)))
+                        _arrays.execution(threads))
     return result
 
 
@@ -133,12 +126,10 @@ def fill_holes_of_labels(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] =
     ----------
     labels : array of bool or integers, shape (H, W)
         0 is background. Never modified.
-    connectivity : {8, 4}
-        Of labels; holes have the other one.
+    connectivity, threads
+        As in `fill_holes`, of labels.
     max_area : int, optional
         Fill only holes of which at most so many pixels, 0 to 2**31 - 1, are to be filled.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
         Receives the result: same shape and dtype as `labels`, C-contiguous. May be `labels`.
 
@@ -148,15 +139,6 @@ def fill_holes_of_labels(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] =
         Background in a hole of a label has this label, that of the innermost hole where labels are
         around each other. The holes of a label are those of `fill_holes(labels == label)`. Labels
         keep their pixels.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
-    References
-    ----------
-    docs/regions.md: holes of labels.
 
     Examples
     --------
@@ -172,7 +154,7 @@ def fill_holes_of_labels(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] =
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else np.empty(image.shape, np.int32)
     _library.fill_holes_of_labels(_arrays.numbers(source), _arrays.numbers(target), filling,
-                                  _library.execution(_arrays.integer("threads", threads)))
+                                  _arrays.execution(threads))
     if target is not result:
         result[...] = target
     return result
@@ -188,22 +170,13 @@ def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threa
 
     Parameters
     ----------
-    image : array of bool or uint8, shape (H, W)
-        Nonzero is foreground.
-    connectivity : {8, 4}
-        Of objects; holes have the other one.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
+    image, connectivity, threads
+        As in `fill_holes`.
 
     Returns
     -------
     int
         Everything outside the image is background.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
 
     References
     ----------
@@ -220,7 +193,7 @@ def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threa
     image = _arrays.binary(image)
     number = ctypes.c_int64()
     _library.euler_number(_arrays.image(image), _arrays.integer("connectivity", connectivity),
-                          _library.execution(_arrays.integer("threads", threads)), ctypes.byref(number))
+                          _arrays.execution(threads), ctypes.byref(number))
     return number.value
 
 
@@ -232,10 +205,8 @@ def label_image(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     ----------
     image : array of bool or uint8, shape (H, W)
         Nonzero is foreground. At most 2**31 pixels.
-    connectivity : {8, 4}
-        Of objects.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
+    connectivity, threads
+        As in `fill_holes`.
 
     Returns
     -------
@@ -243,15 +214,6 @@ def label_image(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
         The number of each pixel's object, from 1 in raster order of first pixels, 0 in the
         background; and the number of objects. As scipy's `label`, whose structure is 4-connected
         by default.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
 
     Examples
     --------
@@ -263,7 +225,7 @@ def label_image(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
      [0 3 0]] 3
     """
     return numbered(image, _arrays.integer("connectivity", connectivity),
-                    execution=_library.execution(_arrays.integer("threads", threads)))
+                    execution=_arrays.execution(threads))
 
 
 def label_values(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
@@ -284,15 +246,6 @@ def label_values(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     array of int32, shape (H, W), and int
         The number of each pixel's component, from 1 in raster order of first pixels, and the number of
         components. As scikit-image's `measure.label`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/regions.md: a scan with union-find.
 
     Examples
     --------
@@ -324,14 +277,12 @@ def numbered(image: npt.ArrayLike, connectivity: int, order: bytes | None = None
 
 
 def numbered_objects(image: npt.ArrayLike, connectivity: int, order: bytes | None = None,
-                     execution: bytes | None = None) -> tuple[npt.NDArray[np.int32], _arrays.Array]:
-    """As `numbered`, but instead of their number the objects, as an array of REGION."""
+                     execution: bytes | None = None) -> tuple[npt.NDArray[np.int32], Regions]:
+    """As `numbered`, but instead of their number the objects."""
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32)
-    handle = ctypes.c_void_p()
-    _library.label_objects(_arrays.image(image), _arrays.numbers(labels), connectivity, order, execution,
-                           ctypes.byref(handle))
-    return labels, _taken(handle)[0]
+    return labels, _regions(_library.label_objects, _arrays.image(image), _arrays.numbers(labels), connectivity, order,
+                            execution)
 
 
 def distances(image: npt.ArrayLike, *, spacing: float | Sequence[float] = 1, threads: int = 1,
@@ -357,11 +308,6 @@ def distances(image: npt.ArrayLike, *, spacing: float | Sequence[float] = 1, thr
     array of float64, shape (H, W)
         Infinity in an image without background.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     References
     ----------
     A. Meijster, J. Roerdink and W. Hesselink 2000, "A general algorithm for computing distance
@@ -376,7 +322,7 @@ def distances(image: npt.ArrayLike, *, spacing: float | Sequence[float] = 1, thr
     """
     array = _arrays.binary(image)
     units = _library.spacing(*_arrays.spacing("spacing", spacing))
-    execution = _library.execution(_arrays.integer("threads", threads))
+    execution = _arrays.execution(threads)
     found = _arrays.result_for(array, out, dtype=np.float64)
     _library.distances(_arrays.image(array), _arrays.numbers(found), units, execution)
     return found
@@ -398,15 +344,6 @@ def squared_distances(image: npt.ArrayLike, *, threads: int = 1,
     array of int32, shape (H, W)
         2**31 - 1 in an image without background.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    As of `distances`.
-
     Examples
     --------
     >>> import numpy as np
@@ -416,7 +353,7 @@ def squared_distances(image: npt.ArrayLike, *, threads: int = 1,
      [ 1  2  5 10]]
     """
     array = _arrays.binary(image)
-    execution = _library.execution(_arrays.integer("threads", threads))
+    execution = _arrays.execution(threads)
     found = _arrays.result_for(array, out, dtype=np.int32)
     _library.squared_distances(_arrays.image(array), _arrays.numbers(found), execution)
     return found
@@ -443,14 +380,9 @@ def find_regions(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
         "centroid-0" and "centroid-1" (row, column); "bbox-0" to "bbox-3" (first row, first column,
         last row + 1, last column + 1); "is_hole".
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     References
     ----------
-    docs/regions.md: labelled runs, joined by union-find.
+    docs/regions.md: labelled runs, joined by union-find; runs as bits for labels.
 
     Examples
     --------
@@ -461,31 +393,14 @@ def find_regions(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
     >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [8 1] [False  True] [0 1]
     """
-    execution = _library.execution(_arrays.integer("threads", threads))
-    return columns(*regions_of(_arrays.binary(image), None, execution))
+    image = _arrays.binary(image)
+    return columns(_regions(_library.find_regions, _arrays.image(image), _arrays.execution(threads)))
 
 
 def label_regions(image: npt.ArrayLike, *, threads: int = 1) -> tuple[Columns, npt.NDArray[np.int32]]:
     """Find objects and holes, and label their pixels.
 
-    Parameters
-    ----------
-    image, threads
-        As in `find_regions`.
-
-    Returns
-    -------
-    dict of arrays, and an array of int32, shape (H, W)
-        As `find_regions`; and the label of each pixel's region, or 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/regions.md: runs as bits for labels.
+    Returns the table of `find_regions`, and an array of int32, shape (H, W): the label of each pixel's region, or 0.
 
     Examples
     --------
@@ -498,33 +413,12 @@ def label_regions(image: npt.ArrayLike, *, threads: int = 1) -> tuple[Columns, n
      [1 2 1 0]
      [1 1 1 0]]
     """
-    image = _arrays.binary(image)
-    labels = np.empty(image.shape, np.int32)
-    execution = _library.execution(_arrays.integer("threads", threads))
-    return columns(*regions_of(image, labels, execution)), labels
+    found, labels = regions_and_labels(_arrays.binary(image), _arrays.execution(threads))
+    return columns(found), labels
 
 
 def find_objects(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
-    """Find objects alone, in less time than `find_regions`.
-
-    Parameters
-    ----------
-    image, threads
-        As in `find_regions`.
-
-    Returns
-    -------
-    dict of arrays
-        The rows of `find_regions` that are no holes.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/regions.md: labelled runs, joined by union-find.
+    """Find objects alone: the rows of `find_regions` that are no holes, in less time.
 
     Examples
     --------
@@ -533,34 +427,15 @@ def find_objects(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
     >>> print(thinbench.find_objects(np.array([[1, 1, 0, 1]], bool))["area"])
     [2 1]
     """
-    handle = ctypes.c_void_p()
-    _library.find_objects(_arrays.image(_arrays.binary(image)),
-                          _library.execution(_arrays.integer("threads", threads)), ctypes.byref(handle))
-    return columns(*_taken(handle))
+    image = _arrays.binary(image)
+    return columns(_regions(_library.find_objects, _arrays.image(image), _arrays.execution(threads)))
 
 
 def label_objects(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
                   threads: int = 1) -> tuple[Columns, npt.NDArray[np.int32]]:
     """Find objects alone, and label their pixels.
 
-    Parameters
-    ----------
-    image, connectivity, threads
-        As in `label_image`.
-
-    Returns
-    -------
-    dict of arrays, and an array of int32, shape (H, W)
-        As `find_objects`; and the labels of `label_image`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
+    Returns the table of `find_objects`, or that of 4-connected objects, and the labels of `label_image`.
 
     Examples
     --------
@@ -571,19 +446,26 @@ def label_objects(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     [2 1] [[1 1 0 2]]
     """
     labels, found = numbered_objects(image, _arrays.integer("connectivity", connectivity),
-                                     execution=_library.execution(_arrays.integer("threads", threads)))
-    return columns(found, len(found)), labels
+                                     execution=_arrays.execution(threads))
+    return columns(found), labels
 
 
-def regions_of(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
-               execution: bytes | None = None) -> tuple[_arrays.Array, int]:
-    """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
+def regions_and_labels(image: _arrays.Array,
+                       execution: bytes | None = None) -> tuple[Regions, npt.NDArray[np.int32]]:
+    """Of an image that is checked."""
+    labels = np.empty(image.shape, np.int32)
+    return _regions(_library.label_regions, _arrays.image(image), _arrays.numbers(labels), execution), labels
+
+
+def _regions(find: Callable[..., None], *arguments: Any) -> Regions:
+    """What a function of the C interface finds in images that live as long as the call."""
     handle = ctypes.c_void_p()
-    if labels is None:
-        _library.find_regions(_arrays.image(image), execution, ctypes.byref(handle))
-    else:
-        _library.label_regions(_arrays.image(image), _arrays.numbers(labels), execution, ctypes.byref(handle))
-    return _taken(handle)
+    find(*arguments, ctypes.byref(handle))
+    try:
+        found, (objects, _) = _library.copied(handle, _LISTS, REGION)
+    finally:
+        _library.regions_destroy(handle)
+    return Regions(found, objects)
 
 
 def localise_objects(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_threshold: int = 128,
@@ -597,20 +479,13 @@ def localise_objects(image: npt.ArrayLike, gradient_threshold: int = 40, brightn
     ----------
     image : array of uint8, shape (H, W)
         Grey levels of dark objects on a bright background.
-    gradient_threshold, brightness_threshold : int
+    gradient_threshold, brightness_threshold, threads
         As in `detect_edges`.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
     dict of arrays
         As `find_regions`. Beyond the image border its pixels are repeated.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
 
     References
     ----------
@@ -628,24 +503,14 @@ def localise_objects(image: npt.ArrayLike, gradient_threshold: int = 40, brightn
     [9.5] [False]
     """
     image = _arrays.grey(image)
-    handle = ctypes.c_void_p()
-    _library.localise_objects(_arrays.image(image), None, _arrays.integer("gradient_threshold", gradient_threshold),
-                              _arrays.integer("brightness_threshold", brightness_threshold),
-                              _library.execution(_arrays.integer("threads", threads)), ctypes.byref(handle))
-    return columns(*_taken(handle))
+    return columns(_regions(_library.localise_objects, _arrays.image(image), None,
+                            _arrays.integer("gradient_threshold", gradient_threshold),
+                            _arrays.integer("brightness_threshold", brightness_threshold), _arrays.execution(threads)))
 
 
-def _taken(handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
-    """The regions of a handle, which is destroyed, and the number of objects."""
-    try:
-        found, (objects, _) = _library.copied(handle, _LISTS, REGION)
-    finally:
-        _library.regions_destroy(handle)
-    return found, objects
-
-
-def columns(found: _arrays.Array, objects: int) -> Columns:
-    """An array of REGION as a dict of columns."""
+def columns(regions: Regions) -> Columns:
+    """As a dict of columns."""
+    found, objects = regions
     area = found["area"]
     divisor = area.astype(np.float64)
     is_hole = np.zeros(len(found), bool)

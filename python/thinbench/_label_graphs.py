@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _library
-from thinbench._graph_handles import taken
+from thinbench._graph_handles import pruning, taken
 from thinbench._skeleton_graph import Graph
 
 Array = npt.NDArray[Any]
@@ -30,24 +30,13 @@ def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = Non
         0 is background; `thin_labels(labels)` makes such an image.
     labels : array of bool or integers, shape (H, W), optional
         What was thinned, for the widths of edges.
-    spacing : float or two floats
+    spacing, threads
         As for `skeleton_graph`.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
     Graph
         Nodes and edges have a column "label", by which they are sorted.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/graphs.md: the definition of nodes and edges.
 
     Examples
     --------
@@ -57,7 +46,7 @@ def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = Non
     [2 5] [1. 2.]
     """
     lines = _arrays.label_rows(_arrays.labels(skeletons, "skeletons"))
-    options = _library.execution(_arrays.integer("threads", threads))
+    options = _arrays.execution(threads)
     units = _arrays.spacing("spacing", spacing)
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
     handle = ctypes.c_void_p()
@@ -85,15 +74,6 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     -------
     array of the shape and dtype of the skeletons
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
-    References
-    ----------
-    docs/graphs.md: the definition of branches.
-
     Examples
     --------
     >>> import thinbench
@@ -103,19 +83,13 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     """
     image = _arrays.labels(skeletons, "skeletons")
     lines = _arrays.label_rows(image)
-    options = _library.execution(_arrays.integer("threads", threads))
-    widths = _arrays.real("min_widths", min_widths)
-    if labels is None and widths > 0:
-        raise ValueError(f"min_widths: expected labels=..., what was thinned, beside it, got {widths:g} without")
+    options = _arrays.execution(threads)
     units = _arrays.spacing("spacing", spacing)
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
     result = _arrays.result_for(image, out)
     kept = np.empty(lines.shape, np.int32)
-    numbers = None if distances is None else _arrays.numbers(distances)
-    spaces = _library.spacing(*units)
-    pruning = _library.pruning(_arrays.real("min_length", min_length), widths, numbers, spaces,
-                               bool(removes_components))
-    _library.prune_labels(_arrays.numbers(lines), _arrays.numbers(kept), pruning, options, None)
+    limits, _alive = pruning(min_length, min_widths, removes_components, distances, units, "labels")
+    _library.prune_labels(_arrays.numbers(lines), _arrays.numbers(kept), limits, options, None)
     result[...] = kept
     return result
 

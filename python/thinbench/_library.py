@@ -98,6 +98,7 @@ table_from_removals = _checked("table_from_removals", "bbp")
 
 thin = _checked("thin", "pbbbbp")
 thin_stack = _checked("thin_stack", "pbbbbp")
+thin_many = _checked("thin_many", "pbbnbbp")
 thin_packed = _checked("thin_packed", "pbbbbp")
 thin_labels = _checked("thin_labels", "pbbbbp")
 midpoint_scan = _checked("midpoint_scan", "bbibb")

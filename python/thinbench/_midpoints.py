@@ -38,11 +38,6 @@ def midpoint_scan(image: npt.ArrayLike, directions: str | Iterable[str] = tuple(
     array of the shape and dtype of the image
         True or 255 on midpoints, of the two in the middle the first; else 0.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
     References
     ----------
     Lazea, Mureşan and Lupu, "Image processing algorithms used in robotics applications", 1999,
@@ -64,5 +59,5 @@ def midpoint_scan(image: npt.ArrayLike, directions: str | Iterable[str] = tuple(
     outside = _arrays.one_of("border", border, _BORDERS)
     result = _arrays.result_for(image, out)
     _library.midpoint_scan(*_arrays.images(image, result), bits, outside,
-                           _library.execution(_arrays.integer("threads", threads)))
+                           _arrays.execution(threads))
     return result

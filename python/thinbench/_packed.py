@@ -26,15 +26,12 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = ..., *, bi
 @overload
 def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = ..., *, bit_order: str = ...,
                 border: str | None = ..., max_iterations: int | None = ..., threads: int = ...,
-                return_iterations: Literal[True],
-                out: Packed | None = ...) -> tuple[Packed, int]: ...
+                return_iterations: Literal[True], out: Packed | None = ...) -> tuple[Packed, int]: ...
 
 
 def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall", *,
-                bit_order: str = "big", border: str | None = None,
-                max_iterations: int | None = None, threads: int = 1,
-                return_iterations: bool = False, out: Packed | None = None,
-                ) -> Packed | tuple[Packed, int]:
+                bit_order: str = "big", border: str | None = None, max_iterations: int | None = None, threads: int = 1,
+                return_iterations: bool = False, out: Packed | None = None) -> Packed | tuple[Packed, int]:
     """Thin an image of 8 pixels per byte, as `thin` does, without unpacking it.
 
     Parameters
@@ -57,11 +54,6 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall"
     array of uint8, shape (H, (width + 7) // 8)
         The skeleton in the same bit order, unused bits are 0. With `return_iterations` a tuple of
         this and an int.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
 
     Examples
     --------

@@ -37,8 +37,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     Raises
     ------
     TypeError, ValueError
-        If start or goal is outside or has no room, if there is no path, or if an argument does not
-        fit. Points are named by row and column.
+        If start or goal is outside or has no room, or if there is no path, which begins with "no path".
 
     References
     ----------
@@ -58,7 +57,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     request = _library.PATH_REQUEST.pack(_library.PATH_REQUEST.size, *_pixel("start", start), *_pixel("goal", goal),
                                          _arrays.real("width", width))
     result = ctypes.create_string_buffer(_library.FOUND_PATH.pack(_library.FOUND_PATH.size, 0, 0, 0))
-    _library.find_path(_arrays.image(image), request, _library.execution(_arrays.integer("threads", threads)),
+    _library.find_path(_arrays.image(image), request, _arrays.execution(threads),
                        found.ctypes.data, result)
     _, count, _, _ = _library.FOUND_PATH.unpack_from(result)
     if count == 0:

@@ -39,11 +39,6 @@ class Rule:
     optimise : bool
         Search for fewer gates, up to 2 s per table instead of 20 ms.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     Examples
     --------
     >>> import numpy as np
@@ -171,8 +166,7 @@ class Rule:
          [0 1 0]
          [0 1 0]]
         """
-        return cls(_tables.from_hensel(notation), border=border, max_iterations=max_iterations,
-                   optimise=optimise)
+        return cls(_tables.from_hensel(notation), border=border, max_iterations=max_iterations, optimise=optimise)
 
     @classmethod
     def from_patterns(cls, patterns: Iterable[str], *, border: str = "background",
@@ -191,13 +185,11 @@ class Rule:
         >>> print(thinbench.apply(np.array([[False, True, False, False]]), dilation).astype(int))
         [[1 1 1 0]]
         """
-        return cls(_tables.from_patterns(patterns), border=border, max_iterations=max_iterations,
-                   optimise=optimise)
+        return cls(_tables.from_patterns(patterns), border=border, max_iterations=max_iterations, optimise=optimise)
 
     @classmethod
-    def from_values(cls, lut: npt.ArrayLike, order: str = "matlab", *,
-                    border: str = "background", max_iterations: int | None = None,
-                    optimise: bool = False) -> Rule:
+    def from_values(cls, lut: npt.ArrayLike, order: str = "matlab", *, border: str = "background",
+                    max_iterations: int | None = None, optimise: bool = False) -> Rule:
         """The 512 values of `makelut(function, 3)`, or an array of such rows.
 
         `order` is "matlab" or "octave", whose functions number windows differently: by columns from
@@ -213,13 +205,11 @@ class Rule:
         >>> [int(window) for window in np.flatnonzero(rule.tables)]
         [24]
         """
-        return cls(_tables.from_values(lut, order), border=border, max_iterations=max_iterations,
-                   optimise=optimise)
+        return cls(_tables.from_values(lut, order), border=border, max_iterations=max_iterations, optimise=optimise)
 
     @classmethod
-    def from_removals(cls, removed: npt.ArrayLike, order: str = "descriptor", *,
-                      border: str = "background", max_iterations: int | None = None,
-                      optimise: bool = False) -> Rule:
+    def from_removals(cls, removed: npt.ArrayLike, order: str = "descriptor", *, border: str = "background",
+                      max_iterations: int | None = None, optimise: bool = False) -> Rule:
         """A thinning rule: 256 values by neighbours, true where a foreground pixel is removed.
 
         An array of shape (256,) or (sub-iterations, 256). `order` says which neighbour each bit of
@@ -239,9 +229,8 @@ class Rule:
                    max_iterations=max_iterations, optimise=optimise)
 
     @classmethod
-    def from_function(cls, next_value: Callable[[npt.NDArray[np.bool_]], Any], *,
-                      border: str = "background", max_iterations: int | None = None,
-                      optimise: bool = False) -> Rule:
+    def from_function(cls, next_value: Callable[[npt.NDArray[np.bool_]], Any], *, border: str = "background",
+                      max_iterations: int | None = None, optimise: bool = False) -> Rule:
         """One sub-iteration: `next_value(window)` for all 512 windows.
 
         It gets an array of bool of shape (3, 3) and returns the new value of the pixel in the
@@ -254,8 +243,7 @@ class Rule:
         >>> rule.gates
         (1,)
         """
-        return cls(_tables.from_function(next_value), border=border, max_iterations=max_iterations,
-                   optimise=optimise)
+        return cls(_tables.from_function(next_value), border=border, max_iterations=max_iterations, optimise=optimise)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Rule:

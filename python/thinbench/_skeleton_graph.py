@@ -12,7 +12,6 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _library, _network
-from thinbench._cycle_holes import CycleHoles
 
 KINDS = np.array(["isolated", "end", "junction", "cycle", "given"])
 Array = npt.NDArray[Any]
@@ -63,19 +62,6 @@ class GraphPath(NamedTuple):
     nodes: Array
     edges: Array
     pixels: Array
-
-
-class Cycle(NamedTuple):
-    """A closed path; the last of its edges leads back to the first of its nodes.
-
-    `holes` are the rows and columns of the first pixel of each hole of the skeleton that it encloses.
-    """
-
-    length: float
-    nodes: Array
-    edges: Array
-    pixels: Array
-    holes: Array
 
 
 class Place(NamedTuple):
@@ -198,22 +184,13 @@ class Graph:
             raise ValueError(f"no path leads from node {from_node} to node {to_node}")
         return self._path(*found[0])
 
-    def cycles(self) -> list[Cycle]:
+    def cycles(self) -> list[GraphPath]:
         """Cycles of which every other is a combination; their number is edges - nodes + components.
 
-        Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges.
+        Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges and the
+        last: it leads back to the first node. The pixels end with the first one.
         """
-        holes = CycleHoles(*self._labelled_pixels())
-        found = []
-        for length, nodes, edges in _network.cycles(*self._links()):
-            path = self._path(length, np.append(nodes, nodes[0]), edges)
-            node, label = nodes[0], self._label_of(nodes[0])
-            if len(edges) == 1 and len(self.edge_pixels(edges[0])) <= 2:
-                enclosed = holes.in_next_loop(node, self.node_pixels(node), label)
-            else:
-                enclosed = holes.in_curve(self._curve(nodes, edges, holes), label)
-            found.append(Cycle(length, nodes, edges, path.pixels, enclosed))
-        return found
+        return [self._path(*path) for path in _network.cycles(*self._links())]
 
     def open_cycles(self, max_length: float = math.inf) -> Graph:
         """The graph without the closing edges of `cycles()` that are at most so long: without their
@@ -346,36 +323,13 @@ class Graph:
     def _links(self) -> tuple[int, Array]:
         return len(self.nodes["kind"]), _network.links(self.edges["from"], self.edges["to"], self.edges["length"])
 
-    def _directed(self, nodes: Array, edges: Array) -> list[Array]:
-        """The pixels of edges, each from the node beside it."""
-        return [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
-                for node, edge in zip(nodes, edges)]
-
     def _path(self, length: float, nodes: Array, edges: Array) -> GraphPath:
-        chains = self._directed(nodes, edges)
+        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
+                  for node, edge in zip(nodes, edges)]
         pixels = np.concatenate(chains) if chains else self.node_pixels(nodes[0])[:1]
         is_new = np.ones(len(pixels), bool)
         is_new[1:] = (np.diff(pixels, axis=0) != 0).any(axis=1)
         return GraphPath(length, nodes, edges, pixels[is_new])
-
-    def _label_of(self, node: int) -> int:
-        return int(self.nodes["label"][node]) if "label" in self.nodes else 0
-
-    def _labelled_pixels(self) -> tuple[Array, Array]:
-        """All pixels, some of them twice, and their labels; 0 in graphs without labels."""
-        pixels: Array = np.concatenate([self._nodes.values, self._chains.values]).astype(np.int64)
-        if "label" not in self.nodes:
-            return pixels, np.zeros(len(pixels), np.int64)
-        return pixels, np.concatenate([np.repeat(self.nodes["label"], self._nodes.lengths()),
-                                       np.repeat(self.edges["label"], self._chains.lengths())])
-
-    def _curve(self, nodes: Array, edges: Array, holes: CycleHoles) -> Array:
-        """The pixels of a cycle, each beside the next, with those of its nodes that lead from edge to edge."""
-        chains = self._directed(nodes, edges)
-        parts = []
-        for node, chain, following in zip(np.roll(nodes, -1), chains, chains[1:] + chains[:1]):
-            parts += [chain, holes.way(node, self.node_pixels(node), chain[-1], following[0])]
-        return np.concatenate(parts)
 
     def _with_edges(self, edges: Array, nodes: Array) -> Graph:
         """Of these edges and nodes, in this order."""

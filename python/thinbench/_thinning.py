@@ -21,7 +21,7 @@ def rule_of(rule: str | Rule) -> Rule:
     if isinstance(rule, Rule):
         return rule
     if not isinstance(rule, str):
-        raise TypeError(f"rule: expected a name or a Rule, got {rule!r}")
+        raise TypeError(f"rule: expected a name or a Rule, got {type(rule).__name__}; Rule(tables) makes one")
     return _named(rule)
 
 
@@ -32,7 +32,7 @@ def request(rule: str | Rule, border: str | None, max_iterations: int | None, th
         return rule_of(rule).handle, None, None
     outside = 0 if border is None else _arrays.one_of("border", border, _library.BORDERS)
     return (rule_of(rule).handle, _library.thinning(outside, _arrays.limit(max_iterations)),
-            _library.execution(_arrays.integer("threads", threads)))
+            _arrays.execution(threads))
 
 
 @overload
@@ -97,11 +97,6 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
     array of the shape and dtype of the image
         True or 255 for foreground, else 0. With `return_iterations` a tuple of this and an int.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
-
     References
     ----------
     Guo and Hall, "Parallel thinning with two-subiteration algorithms", CACM 32(3), 1989. The
@@ -140,26 +135,20 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
               threads: int = 1) -> list[npt.NDArray[Any]]:
     """Thin a list of images of any sizes.
 
-    Images of one size and dtype are thinned as a stack, which is faster where there are many up to
-    128 pixels wide.
+    Faster than a loop over `thin` where there are many up to 128 pixels wide. Images of one size and
+    dtype are thinned fastest as a stack: `thin(np.array(images))`.
 
     Parameters
     ----------
     images : iterable of arrays of bool or uint8, shape (H, W)
         Sizes and dtypes may differ. Never modified.
     rule, border, max_iterations, threads
-        As in `thin`. Threads share the images of one size.
+        As in `thin`. Threads share the images.
 
     Returns
     -------
     list of arrays
         The skeletons in the order of the images, each with the shape and dtype of its image.
-        Skeletons of one size are views of one stack; copy those that outlive the others.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
 
     Examples
     --------
@@ -170,18 +159,10 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
     [((3, 9), 7), ((5, 5), 1)]
     """
     arrays = [_arrays.binary(image, name=f"images[{i}]") for i, image in enumerate(images)]
-    if not arrays:  # the arguments are checked all the same
-        thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations,
-             threads=threads)
-    groups: dict[tuple[Any, ...], list[int]] = {}
-    for index, array in enumerate(arrays):
-        groups.setdefault((array.shape, array.dtype), []).append(index)
-    results = list(arrays)
-    for indices in groups.values():
-        stack = np.array([arrays[index] for index in indices])
-        thin(stack, rule, border=border, max_iterations=max_iterations, threads=threads, out=stack, stack=True)
-        for index, skeleton in zip(indices, stack):
-            results[index] = skeleton
+    handle, *options = request(rule, border, max_iterations, threads)
+    results = [np.empty(array.shape, array.dtype) for array in arrays]
+    _library.thin_many(handle, b"".join(map(_arrays.image, arrays)), b"".join(map(_arrays.result_image, results)),
+                       len(arrays), *options, None)
     return results
 
 
@@ -227,11 +208,6 @@ def thin_labels(labels: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border:
     array of the shape and dtype of `labels`
         The label of each pixel that is on the skeleton of its label, else 0. With
         `return_iterations` a tuple of this and an int.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is written.
 
     Examples
     --------

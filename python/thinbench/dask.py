@@ -57,11 +57,6 @@ def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None
         True or 255 on skeletons, else 0: lazy with a limit and where one chunk suffices,
         else persisted. With `out`, that array.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is computed.
-
     Examples
     --------
     >>> import dask.array as da
@@ -102,11 +97,6 @@ def find_regions(array: Any) -> dict[str, Any]:
     dict of arrays
         As `thinbench.find_regions`, in memory: a row for each object and each hole.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
     Examples
     --------
     >>> import dask.array as da
@@ -117,27 +107,13 @@ def find_regions(array: Any) -> dict[str, Any]:
     >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [20 16] [False  True] [0 1]
     """
-    _check_image(array)
-    return _dask_regions.find_regions(array)
+    return label_regions(array)[0]  # labels are lazy
 
 
 def label_regions(array: Any) -> tuple[dict[str, Any], Any]:
     """Find objects and holes of a binary image that is a dask array, and label their pixels.
 
-    Parameters
-    ----------
-    array
-        As in `thinbench.dask.find_regions`.
-
-    Returns
-    -------
-    dict of arrays, and a dask array of int32, shape (H, W)
-        As `thinbench.label_regions`. The dict is in memory, the image of labels is lazy.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
+    Returns the table of `find_regions`, and a lazy array of int32, shape (H, W), as `thinbench.label_regions`.
 
     Examples
     --------
@@ -169,11 +145,6 @@ def detect_edges(array: Any, operator: str = "sobel", gradient_threshold: int = 
     -------
     dask array of uint8, shape (H, W)
         255 on edges, else 0: equal to `thinbench.detect_edges` in memory.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is computed.
 
     Examples
     --------
@@ -207,11 +178,6 @@ def fill_holes(array: Any, max_size: int) -> Any:
     dask array of the shape and dtype of `array`
         True or 255 on objects and in small holes, else 0.
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is computed.
-
     Examples
     --------
     >>> import dask.array as da
@@ -244,11 +210,6 @@ def distances(array: Any, max_distance: float) -> Any:
     -------
     dask array of float64, shape (H, W)
         As `thinbench.distances`, up to `max_distance`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit; then nothing is computed.
 
     Examples
     --------

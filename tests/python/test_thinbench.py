@@ -5,7 +5,10 @@ from __future__ import annotations
 import contextlib
 import doctest
 import gc
+import os
 import resource
+import subprocess
+import sys
 import tracemalloc
 
 import numpy as np
@@ -90,6 +93,22 @@ def test_objects_are_the_regions_that_are_no_holes():
 def test_two_threads_find_what_one_finds(function, options):
     image = np.random.RandomState(1).rand(1024, 1100) < 0.55  # 2**20 pixels, as smaller ones use one thread
     np.testing.assert_equal(function(image, threads=2, **options), function(image, **options))
+
+
+BY_COLUMNS = """
+import numpy as np
+import thinbench
+image = np.random.RandomState(1).rand(300, 400) < 0.3
+for name in ("thin", "fill_holes", "find_regions", "label_regions", "find_objects", "label_objects", "label_image",
+             "euler_number", "distances", "squared_distances", "classify_pixels", "prune", "midpoint_scan"):
+    function = getattr(thinbench, name)
+    np.testing.assert_equal(function(np.asfortranarray(image)), function(image), name)
+"""
+
+
+def test_the_copy_of_an_image_by_columns_lives_as_long_as_the_call():
+    """Freed memory is overwritten at once."""
+    subprocess.run([sys.executable, "-c", BY_COLUMNS], check=True, env={**os.environ, "MALLOC_PERTURB_": "85"})
 
 
 def test_localise_finds_an_object_and_its_hole():

@@ -125,7 +125,7 @@ struct Graph {
   friend bool operator==(const Graph&, const Graph&) = default;
 };
 
-/// The graph of a binary image, as a rule a skeleton: 0 is background, anything else foreground,
+/// The graph of a binary image, usually a skeleton: 0 is background, anything else foreground,
 /// everything outside the image background. A thick image is no error; its full blocks become
 /// junctions.
 ///

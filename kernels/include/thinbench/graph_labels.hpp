@@ -24,7 +24,7 @@ struct LabelGraph {
 /// are never joined, even where they touch. 0 is background; labels may be any other numbers, and a
 /// label may have several components. thin_labels() makes such images.
 ///
-/// Where labels touch, the image is searched several times, as a rule two to five, and takes 4 more
+/// Where labels touch, the image is searched several times, usually two to five, and takes 4 more
 /// bytes of memory per pixel. Thread-safe. Throws as skeleton_graph does.
 [[nodiscard]] THINBENCH_API LabelGraph graph_of_labels(ConstLabelView skeletons,
                                                        const Execution& execution = {});

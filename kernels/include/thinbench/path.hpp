@@ -35,8 +35,8 @@ inline constexpr double kPathOffSkeletonCost = 4;
 /// goal; else nothing is returned.
 ///
 /// Takes 24 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
-/// goal that is outside, on an obstacle or too near to one, for a width
-/// that is negative or no number, and as skeleton_graph and squared_distances; and std::bad_alloc.
+/// goal that is outside, on an obstacle or too near to one, for a width that is negative or no
+/// number, and as skeleton_graph and squared_distances; and std::bad_alloc.
 [[nodiscard]] THINBENCH_API std::optional<FoundPath> find_path(ConstImageView free,
                                                                const PathRequest& request,
                                                                const Execution& execution = {});

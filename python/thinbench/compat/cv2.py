@@ -95,10 +95,6 @@ def connectedComponents(image: npt.ArrayLike, labels: npt.NDArray[Any] | None = 
     TypeError, ValueError
         If an argument does not fit, also for an empty image and for more labels than `ltype` has.
 
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
-
     Examples
     --------
     >>> import numpy as np
@@ -149,9 +145,9 @@ def connectedComponentsWithStats(  # noqa: N802
     """
     if stats is not None or centroids is not None:
         raise NotImplementedError("stats, centroids: expected None; use cv2.connectedComponentsWithStats")
-    found, objects = _images.numbered_objects(*_checked(image, connectivity, ltype))
-    found = _converted(found, len(objects), ltype, labels)
-    count = len(objects) + 1
+    found, (objects, number) = _images.numbered_objects(*_checked(image, connectivity, ltype))
+    found = _converted(found, number, ltype, labels)
+    count = number + 1
     table = np.empty((count, 5), np.int32)
     centres = np.empty((count, 2))
     table[0], centres[0] = _background(found, objects)
@@ -192,10 +188,6 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
         For other types of distance and masks, which are in OpenCV.
     TypeError, ValueError
         If an argument does not fit, also for an empty image.
-
-    References
-    ----------
-    docs/graphs.md: exact integers.
 
     Examples
     --------

@@ -39,10 +39,6 @@ def label(input: npt.ArrayLike, structure: npt.ArrayLike | None = None,
     RuntimeError, TypeError, ValueError
         Where SciPy raises it: if an argument does not fit, and for too many objects for the type of `output`.
 
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
-
     Examples
     --------
     >>> import numpy as np
@@ -94,10 +90,6 @@ def binary_fill_holes(input: npt.ArrayLike, structure: npt.ArrayLike | None = No
         For other structures and origins, and for other than two dimensions, which are in SciPy.
     RuntimeError, TypeError
         If `output` has another shape, and for complex numbers.
-
-    References
-    ----------
-    docs/regions.md: background flooded from the border.
 
     Examples
     --------
@@ -151,10 +143,6 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
         For indices and for other than two dimensions, which are in SciPy.
     RuntimeError, TypeError, ValueError
         If an argument does not fit.
-
-    References
-    ----------
-    docs/graphs.md: how distances are defined.
 
     Examples
     --------

@@ -120,10 +120,6 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
     TypeError, ValueError
         If an argument does not fit.
 
-    References
-    ----------
-    docs/regions.md: runs as bits, and their contacts.
-
     Examples
     --------
     >>> import numpy as np
