@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "images/regions.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "images/regions.hpp"
 #include "support/byte_image.hpp"
 

@@ -16,7 +16,7 @@ namespace thinbench {
 /// What the JSON says of the foreground.
 struct ForegroundChoice {
   Foreground foreground;
-  std::optional<int> threshold;  // nothing where it is local
+  std::optional<double> threshold;  // nothing where it is local
   const char* method;            // "given", "otsu" or "local"
 };
 
