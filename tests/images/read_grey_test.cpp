@@ -122,8 +122,7 @@ TEST_F(ReadGrey, what_is_no_image_is_rejected_with_the_reason) {
 
 TEST_F(ReadGrey, image_without_pixels_is_rejected) {
   for (const char* header :
-       {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n", "P2\n1544444444444444444 -444\n255\n",
-        "P2 1544444444444444444 4 255\n0 1"}) {  // whose bytes overflow
+       {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n", "P2\n1544444444444444444 -444\n255\n"}) {
     expect_error_of("a.pgm", header, kDamaged);
   }
   for (const auto& [name, at] :
@@ -154,7 +153,7 @@ TEST_F(ReadGrey, damaged_png_is_rejected) {
   write_by_opencv("a.png");
   std::string bytes = bytes_of("a.png");
   bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
-  expect_error_of("a.png", bytes, "it is damaged: IDAT: CRC error");
+  expect_error_of("a.png", bytes, "it is damaged: IDAT: invalid bit length repeat");
 }
 
 TEST_F(ReadGrey, corrupt_jpeg_is_rejected_or_leniently_read_with_what_the_decoder_says) {
@@ -222,6 +221,7 @@ TEST_F(ReadGrey, tiff_with_samples_that_are_not_read_is_not_called_damaged) {
 }
 
 TEST_F(ReadGrey, more_pixels_than_2_to_the_31_are_rejected_by_the_header) {
+  expect_error_of("a.pgm", "P2 1544444444444444444 4 255\n0 1", "it has more than 2^31 pixels");
   expect_error_of("a.pgm", "P5 70000 70000 255\n", "it has more than 2^31 pixels");
 }
 

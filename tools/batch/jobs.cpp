@@ -82,7 +82,7 @@ namespace {
 class Rejections {
  public:
   Rejections(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out)
-      : out_(out) {
+      : out_(out), has_out_(std::filesystem::exists(out)) {
     for (const auto& of_input : jobs) paths_.push_back(of_input.front().path);
   }
 
@@ -94,6 +94,7 @@ class Rejections {
              "'; process it in another run with another --out";
     }
     for (const std::string& name : {job.output, job.overlay}) {
+      if (!has_out_ || name.empty()) continue;
       const auto id = id_of(std::filesystem::path(out_) / name);
       if (!id || !inputs().contains(*id)) continue;
       return "the result of '" + job.path + "' would replace the input '" + inputs().at(*id) +
@@ -114,6 +115,7 @@ class Rejections {
 
   std::vector<std::string> paths_;
   std::string out_;
+  bool has_out_;
   std::map<FileId, std::string> inputs_;
   std::unordered_map<std::string, std::string> input_of_;
 };

@@ -82,7 +82,8 @@ class BmpReader {
     if (has_runs()) return;
     // The last row of some writers ends with its last pixel.
     const Index last = (width_ * bits_ + 7) / 8;
-    check_claim(width_, height_, row_bytes() * (height_ - 1) + last, bytes_.size() - data_);
+    const auto header_bytes = static_cast<Index>(data_);
+    check_claim(width_, height_, header_bytes + row_bytes() * (height_ - 1) + last, bytes_.size());
   }
 
   void read_palette(std::size_t entry) {

@@ -1,7 +1,10 @@
 #include "images/pixels.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,13 +17,36 @@ Index bytes_of_rows(Index width, Index height, Index bits_per_pixel) {
   return product(bits / 8 + (bits % 8 != 0 ? 1 : 0), height);
 }
 
-Pixels make_pixels(Index width, Index height, int channels, SampleKind kind) {
+namespace {
+
+/// What the environment allows, at most kMaxImagePixels.
+Index allowed_pixels() {
+  const char* const text = std::getenv(kMaxPixelsVariable);
+  if (text == nullptr) return kMaxImagePixels;
+  Index pixels = 0;
+  const char* const end = text + std::strlen(text);
+  const auto result = std::from_chars(text, end, pixels);
+  if (result.ec == std::errc() && result.ptr == end && pixels >= 1) return std::min(pixels, kMaxImagePixels);
+  throw DecodeError(fmt::format("{}: expected a number of pixels, got '{}'", kMaxPixelsVariable, text));
+}
+
+}  // namespace
+
+void check_size(Index width, Index height, SampleKind kind) {
   if (width < 1 || height < 1) throw DecodeError("it is damaged or has no pixels");
   const bool is_packed = kind == SampleKind::bit;
-  if (height > (is_packed ? Index{1} << 40 : kMaxImagePixels) / width) {
-    throw DecodeError(is_packed ? fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", width, height)
-                                : std::string("it has more than 2^31 pixels"));
+  if (is_packed && height > (Index{1} << 40) / width) {
+    throw DecodeError(fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", width, height));
   }
+  const Index allowed = is_packed ? INT64_MAX : allowed_pixels();
+  if (height <= allowed / width) return;
+  throw DecodeError(allowed == kMaxImagePixels
+                        ? std::string("it has more than 2^31 pixels")
+                        : fmt::format("it has more pixels than {}={} allows", kMaxPixelsVariable, allowed));
+}
+
+Pixels make_pixels(Index width, Index height, int channels, SampleKind kind) {
+  check_size(width, height, kind);
   Pixels image = {.width = width, .height = height, .channels = channels, .kind = kind};
   image.bytes = detail::make_uninitialised<std::uint8_t>(
       static_cast<std::size_t>(height * image.row_bytes()));
@@ -115,19 +141,27 @@ int exif_orientation(std::string_view exif) {
 
 namespace {
 
-template <class T>
+template <int kChannels, class T>
 void look_up(const Pixels& indices, const std::vector<PaletteColour>& palette, const Pixels& to) {
-  const T* from = indices.samples_of_row<T>(0);
+  const T* const from = indices.samples_of_row<T>(0);
   std::uint8_t* target = to.bytes.get();
-  for (Index i = 0; i < indices.samples(); ++i) {
-    constexpr PaletteColour black = {0, 0, 0, 255};
-    const PaletteColour& c = from[i] < palette.size() ? palette[from[i]] : black;
-    *target++ = c.red;
-    if (to.channels > 2) {
-      *target++ = c.green;
-      *target++ = c.blue;
-    }
-    if (to.has_opacity()) *target++ = c.opacity;
+  for (Index i = 0; i < indices.samples(); ++i, target += kChannels) {
+    const PaletteColour& c = palette[from[i]];
+    target[0] = c.red;
+    if constexpr (kChannels > 2) target[1] = c.green;
+    if constexpr (kChannels > 2) target[2] = c.blue;
+    if constexpr (kChannels % 2 == 0) target[kChannels - 1] = c.opacity;
+  }
+}
+
+template <class T>
+void look_up(const Pixels& indices, std::vector<PaletteColour> palette, const Pixels& to) {
+  palette.resize(std::size_t{std::numeric_limits<T>::max()} + 1, {0, 0, 0, 255});
+  switch (to.channels) {
+    case 1: return look_up<1, T>(indices, palette, to);
+    case 2: return look_up<2, T>(indices, palette, to);
+    case 3: return look_up<3, T>(indices, palette, to);
+    default: look_up<4, T>(indices, palette, to);
   }
 }
 

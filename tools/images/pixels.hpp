@@ -14,6 +14,8 @@ namespace thinbench {
 
 /// The largest image that is read, in pixels; of packed ones 2^40.
 inline constexpr Index kMaxImagePixels = Index{1} << 31;
+/// In the environment, a lower limit.
+inline constexpr const char* kMaxPixelsVariable = "THINBENCH_MAX_PIXELS";
 
 enum class SampleKind : std::uint8_t {
   bit,  // eight in a byte, the first in its highest bit
@@ -65,8 +67,10 @@ struct DecodeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// With any samples. Throws DecodeError for a size without pixels or of too many, and
-/// std::bad_alloc.
+/// Throws DecodeError for a size without pixels or of too many.
+void check_size(Index width, Index height, SampleKind kind);
+
+/// With any samples. Throws as check_size(), and std::bad_alloc.
 [[nodiscard]] Pixels make_pixels(Index width, Index height, int channels, SampleKind kind);
 
 /// Throws DecodeError where a file of `size` bytes is too short for `needed`: files of a few bytes

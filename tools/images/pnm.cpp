@@ -157,7 +157,9 @@ Pixels decode_pnm(std::string_view bytes, const Decoding& request) {
       header.maximum > 65535 || header.channels < 1 || header.channels > 4) {
     throw DecodeError(kDamaged);
   }
-  check_claim(header.width, header.height, min_bytes(kind, header), bytes.size() - header.bytes);
+  const auto header_bytes = static_cast<Index>(header.bytes);
+  const Index needed = std::min(min_bytes(kind, header), INT64_MAX - header_bytes) + header_bytes;
+  check_claim(header.width, header.height, needed, bytes.size());
   Pixels image = make_pixels(header.width, header.height, static_cast<int>(header.channels),
                              header.maximum > 255 ? SampleKind::u16 : SampleKind::u8);
   const std::string_view data = bytes.substr(header.bytes);

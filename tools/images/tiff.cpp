@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include <fmt/format.h>
@@ -234,6 +235,7 @@ class BlockReader {
     std::string problem = tiff_.complaint();
     if (problem.empty() && got < bytes) problem = "the file is truncated";
     if (problem.empty()) return;
+    if (problem.find("emory") != std::string::npos) throw std::bad_alloc();
     if (!lenient_) throw DecodeError(problem);
     if (warning_.empty()) warning_ = problem;
     const Index valid = std::clamp<Index>(got, 0, bytes);
@@ -388,6 +390,7 @@ void open_page(TiffHandle& tiff, int page) {
 
 /// Samples as they are stored.
 Pixels stored(const TiffHandle& tiff, const Layout& layout, SampleKind kind, bool lenient) {
+  check_size(layout.width, layout.height, kind);
   if (!lenient) check_blocks(tiff, layout);
   Pixels image = make_pixels(layout.width, layout.height, layout.channels(), kind);
   BlockReader(tiff, layout, lenient).read_into(image);
