@@ -360,4 +360,4 @@ def test_overlay_of_many_holes(tmp_path: Path) -> None:
     result = run("thinbench holes a.png --threshold 128 --foreground bright --min-area 1 --overlay out.png".split(), tmp_path)
     assert result.status == 0 and result.out.startswith(b"1 object, 1000000 holes"), result.out[:99]
     drawn = np.asarray(Image.open(tmp_path / "out.png"))
-    assert (drawn[2002, 2002] == [255, 40, 40]).all() and (drawn[2001, 2002] == [255, 40, 40]).all()
+    assert (drawn[2402, 2402] == [255, 40, 40]).all() and (drawn[2401, 2402] == [255, 40, 40]).all()

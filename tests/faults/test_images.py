@@ -157,7 +157,8 @@ def chunk(kind: bytes, data: bytes) -> bytes:
 def png(width: int, height: int, bits: int, colours: int, data: bytes) -> bytes:
     """With any claims."""
     head = struct.pack(">IIBBBBB", width, height, bits, colours, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+    palette = chunk(b"PLTE", bytes(48)) if colours == 3 else b""
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + palette + chunk(b"IDAT", data) + chunk(b"IEND", b"")
 
 
 def jpeg(width: int, height: int, frame: int) -> bytes:

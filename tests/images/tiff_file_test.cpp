@@ -165,7 +165,8 @@ TEST_F(TiffReading, damaged_files_give_pixels_or_one_line) {
       std::string bytes = whole;
       bytes[i] = static_cast<char>(bytes[i] ^ 0xA5);
       static_cast<void>(reason(bytes));
-      if (i > 0) EXPECT_NE(reason(whole.substr(0, i)), "no rejection") << compression << ' ' << i;
+      if (i == 0) continue;  // an empty file is no TIFF file
+      EXPECT_NE(reason(whole.substr(0, i)), "no rejection") << compression << ' ' << i;
     }
   }
 }

@@ -68,10 +68,11 @@ class JpegReader {
                                                         : JCS_RGB;
     Pixels image = make_pixels(width, height, jpeg_.num_components == 1 ? 1 : 3, SampleKind::u8);
     row_.resize(is_cmyk ? static_cast<std::size_t>(4 * width) : 0);
+    const int turn = orientation();  // markers are freed at the end
     check(succeeds([&] { read_rows(image); }));
     image.warning = warning();
     if (!image.warning.empty() && !lenient) throw DecodeError(image.warning);
-    return turned(std::move(image), orientation());
+    return turned(std::move(image), turn);
   }
 
  private:
