@@ -24,8 +24,11 @@ constexpr Index kBlobReach = 4;
 /// All rules that thin but nets, of which those that matter have the paper's rule, and the scan.
 std::vector<std::string_view> measured_operations() {
   std::vector<std::string_view> names;
-  for (const RuleInfo& info : kRules) names.push_back(info.operation);
-  names.insert(names.end(), {"thin_spta", "skeleton_scan"});
+  for (const RuleInfo& info : kRules) {
+    if (info.rule == BuiltInRule::spta_directional) names.push_back("thin_spta");
+    names.push_back(info.operation);
+  }
+  names.push_back("skeleton_scan");
   return names;
 }
 

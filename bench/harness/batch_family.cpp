@@ -3,16 +3,16 @@
 #include <functional>
 #include <utility>
 
+#include "core/exported.hpp"
 #include "engines/lanes.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "scan/built_in.hpp"
 #include "techniques/variants.hpp"
-#include "thinbench/batch.hpp"
+#include "thinbench/many.hpp"
 
 namespace thinbench {
 namespace {
-
-using detail::ThinningVariant;
 
 struct BatchRule {
   BuiltInRule rule;
@@ -78,23 +78,11 @@ JobMaker reference_of(BuiltInRule rule) {
   };
 }
 
-/// The library's choice on one thread where `cap` is the highest ISA.
-const ThinningVariant& best_variant(BuiltInRule rule, Isa cap, Index width) {
-  const ThinningVariant* best = nullptr;
-  for (const ThinningVariant& variant : detail::study::operation_of(rule).variants) {
-    if (variant.threaded || variant.isa > cap || !unavailable_reason(variant, width).empty()) {
-      continue;
-    }
-    if (best == nullptr || variant.priority > best->priority) best = &variant;
-  }
-  return *best;  // scalar code takes every width
-}
-
-JobMaker one_by_one(BuiltInRule rule, Isa cap) {
-  return [rule, cap](Index width, Index height, int) {
+JobMaker one_by_one(BuiltInRule rule, Isa highest) {
+  return [rule, highest](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const std::shared_ptr<detail::ThinningState> state = make_state(
-        best_variant(rule, cap, side), side, side, detail::thinning_parameters(rule, {}), 1);
+    const std::shared_ptr<detail::ThinningState> state =
+        detail::make_thinning({rule, {}, {.isa = highest}}, side, side);
     return std::make_unique<StackJob>(
         one_by_one([state](const ConstImageView& source, const ImageView& destination) {
           return state->run(source, destination);
@@ -105,11 +93,11 @@ JobMaker one_by_one(BuiltInRule rule, Isa cap) {
 JobMaker batch(BuiltInRule rule, Isa isa) {
   return [rule, isa](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const auto batch =
-        std::make_shared<ThinningBatch>(rule, side, side, Thinning{}, Execution{.isa = isa});
+    const auto thinner =
+        std::make_shared<StackThinner>(rule, side, side, Thinning{}, Execution{.isa = isa});
     return std::make_unique<StackJob>(
-        [batch](const ConstStackView& source, const StackView& destination) {
-          return (*batch)(source, destination);
+        [thinner](const ConstStackView& source, const StackView& destination) {
+          return (*thinner)(source, destination);
         });
   };
 }
@@ -134,7 +122,7 @@ Operation operation_of(const BatchRule& batch_rule) {
                          InputKind::binary,
                          {},
                          reference_of(rule)};
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : detail::isas_of<detail::BuiltInScans>()) {
     operation.variants.push_back(
         variant_of("one_by_one", "image after image by the library's choice for one image", isa,
                    detail::kAnyWidth, 0, one_by_one(rule, isa)));

@@ -2,10 +2,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/exported.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
-#include "thinbench/batch.hpp"
+#include "scan/built_in.hpp"
 #include "thinbench/labels.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {
@@ -149,7 +151,7 @@ Operation operation_of(const std::string& kind, const CollectionCase& one, ByRef
                          InputKind::binary,
                          {},
                          {}};
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : detail::isas_of<detail::BuiltInScans>()) {
     for (const bool threaded : {false, true}) {
       const detail::VariantInfo info = {"chosen", isa, threaded};
       operation.variants.push_back(

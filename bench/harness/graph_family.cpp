@@ -42,12 +42,8 @@ class StateJob final : public GraphJob {
   explicit StateJob(std::unique_ptr<detail::GraphState> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    load(input);
-    kernel();
+    graph_ = &state_->run(input);
   }
-  void load(const ConstImageView& input) override { state_->load(input); }
-  void kernel() override { graph_ = &state_->compute(); }
-  void store(const ImageView& /*output*/) const override {}
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(*graph_); }
 
@@ -75,7 +71,7 @@ std::vector<Operation> graph_family() {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
   for (const detail::Variant<detail::GraphState>& variant : operation.variants) {
     result.variants.push_back(
-        library_variant(variant, true, [&variant](Index width, Index height, int threads) {
+        library_variant(variant, false, [&variant](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
               detail::make_state(variant, width, height, {}, threads));
         }));

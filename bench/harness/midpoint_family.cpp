@@ -13,9 +13,6 @@ class StateJob final : public Job {
   void run(const ConstImageView& input, const ImageView& output) override {
     state_->run(input, output);
   }
-  void load(const ConstImageView& input) override { state_->load(input); }
-  void kernel() override { state_->scan(); }
-  void store(const ImageView& output) const override { state_->store(output); }
 
  private:
   std::unique_ptr<detail::MidpointState> state_;
@@ -40,7 +37,7 @@ Operation midpoint_operation(Border border) {
   Operation result = {std::move(name), operation.description, InputKind::binary, {}, {}};
   for (const auto& variant : operation.variants) {
     result.variants.push_back(
-        library_variant(variant, true, [&variant, border](Index width, Index height, int threads) {
+        library_variant(variant, false, [&variant, border](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
               detail::make_state(variant, width, height, {{}, border}, threads));
         }));

@@ -198,23 +198,22 @@ Operation euler_operation(const detail::EulerOperation& table) {
       table, detail::EulerParameters{objects});
   add_technique(result, "lut", false, [objects](Index width, Index height, int) {
     const auto state = std::make_shared<detail::EulerQuads>(objects, width, height);
-    return finding_job<std::int64_t>([state](const ConstImageView& input, std::int64_t& number) {
-      number = state->run(input);
-    });
+    return finding_job<std::int64_t>(
+        [state](const ConstImageView& input, std::int64_t& number) { number = state->run(input); });
   });
   const auto reference =
       objects == Connectivity::eight ? reference::euler_number : reference::euler_number_4;
   result.reference = [reference](Index, Index, int) {
-    return finding_job<std::int64_t>([reference](const ConstImageView& input,
-                                                 std::int64_t& number) {
-      number = reference(input);
-    });
+    return finding_job<std::int64_t>(
+        [reference](const ConstImageView& input, std::int64_t& number) {
+          number = reference(input);
+        });
   };
   return result;
 }
 
 Operation fill_operation(const detail::FillOperation& table) {
-  Operation result = operation_of_table<FillStateJob>(table, detail::FillParameters{table.key});
+  Operation result = operation_of_table<FillStateJob>(table, HoleFilling{table.key});
   const bool eight = table.key == Connectivity::eight;
   if (eight) {
     add_technique(result, "union_find", false, [](Index width, Index height, int) {
@@ -224,10 +223,8 @@ Operation fill_operation(const detail::FillOperation& table) {
       });
     });
   }
-  result.reference = [fill = eight ? reference::fill_holes : reference::fill_holes_4](Index, Index,
-                                                                                      int) {
-    return filling_job(fill);
-  };
+  result.reference = [fill = eight ? reference::fill_holes : reference::fill_holes_4](
+                         Index, Index, int) { return filling_job(fill); };
   return result;
 }
 
@@ -270,9 +267,8 @@ std::vector<Operation> localise_family() {
         library_variant(variant, false, [&variant](Index width, Index height, int threads) {
           const std::shared_ptr<detail::LocaliseState> state =
               detail::make_state(variant, width, height, {EdgeOperator::sobel, {}}, threads);
-          return finding_job<Regions>([state](const ConstImageView& input, Regions& found) {
-            state->run(input, found);
-          });
+          return finding_job<Regions>(
+              [state](const ConstImageView& input, Regions& found) { state->run(input, found); });
         }));
   }
   result.reference = [](Index, Index, int) {

@@ -1,5 +1,12 @@
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "core/packed_rows.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
 #include "rules/trained_cluster.hpp"
@@ -20,6 +27,21 @@ class CountingJob : public Job {
   int iterations_ = 0;
 };
 
+/// Owns a packed image. Its bits are in the order of the kernels' words.
+class PackedImage {
+ public:
+  PackedImage(Index width, Index height)
+      : bytes_(static_cast<std::size_t>(packed_row_bytes(width) * height)),
+        view_(bytes_.data(), width, height, BitOrder::lsb_first) {}
+
+  [[nodiscard]] const PackedView& view() const { return view_; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+  PackedView view_;
+};
+
+/// The kernel is thinning from packed bits to packed bits.
 class StateJob final : public CountingJob {
  public:
   explicit StateJob(std::unique_ptr<ThinningState> state) : state_(std::move(state)) {}
@@ -27,13 +49,36 @@ class StateJob final : public CountingJob {
   void run(const ConstImageView& input, const ImageView& output) override {
     iterations_ = state_->run(input, output);
   }
-  void load(const ConstImageView& input) override { state_->load(input); }
-  void kernel() override { iterations_ = state_->thin(); }
-  void store(const ImageView& output) const override { state_->store(output); }
+  void load(const ConstImageView& input) override {
+    const Index width = input.width, height = input.height;
+    detail::BitPlane bits(width, height);
+    conversion_.read(input, bits.view());
+    detail::write_packed(bits.view(), source_.emplace(width, height).view());
+    result_.emplace(width, height);
+  }
+  void kernel() override {
+    iterations_ = state_->run(ConstPackedView(source_.value().view()), result_.value().view());
+  }
+  void store(const ImageView& output) const override {
+    detail::BitPlane bits(output.width, output.height);
+    detail::read_packed(result_.value().view(), bits.view());
+    conversion_.write(bits.view(), output);
+  }
 
  private:
   std::unique_ptr<ThinningState> state_;
+  const detail::PlaneConversion<std::uint64_t>& conversion_ =
+      detail::plane_conversion<std::uint64_t>(Isa::baseline);
+  std::optional<PackedImage> source_;
+  std::optional<PackedImage> result_;
 };
+
+/// Whether a technique works on bits. Others would convert them to bytes.
+bool has_kernel_scope(std::string_view technique) {
+  constexpr std::array<std::string_view, 4> on_bytes = {"lut", "lut_sliding", "autovec",
+                                                        "simd_bytes"};
+  return std::find(on_bytes.begin(), on_bytes.end(), technique) == on_bytes.end();
+}
 
 class FunctionJob final : public CountingJob {
  public:
@@ -168,7 +213,8 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
       case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
   for (const ThinningVariant& variant : variants_of(operation, parameters)) {
     result.variants.push_back(library_variant(
-        variant, true, [variant, parameters](Index width, Index height, int threads) {
+        variant, has_kernel_scope(variant.technique),
+        [variant, parameters](Index width, Index height, int threads) {
           return thinning_job(make_state(variant, width, height, parameters, threads));
         }));
   }

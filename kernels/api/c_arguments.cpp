@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 
 #include "rules/notation_reader.hpp"
+#include "thinbench/version.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -14,13 +12,33 @@ namespace {
 // Remains when the thread ends: its static and thread-local objects may call, too.
 thread_local std::array<char, 1024> last_message{};
 
-/// Where there is no next image, the distance to it says nothing and passes every check.
-Index image_stride_of(Index given, Index count) {
-  return count == 1 ? PTRDIFF_MAX : given;
+/// A larger struct is a size that was never set.
+constexpr size_t kMaxStructSize = 1024;
+
+void require_struct_size(size_t size, size_t first_size, const char* name) {
+  require(first_size <= size && size <= kMaxStructSize, [&] {
+    return name + (".size: expected an integer in [" + std::to_string(first_size)) + ", " +
+           std::to_string(kMaxStructSize) + "], got " + std::to_string(size) +
+           "; the struct's THINBENCH_..._INIT sets it";
+  });
+}
+
+/// What a newer caller sets, and this library does not know.
+void require_zeros(const unsigned char* bytes, size_t begin, size_t end, const char* name) {
+  for (size_t i = begin; i < end; ++i) {
+    require(bytes[i] == 0, [&] {
+      return name + (": byte " + std::to_string(i)) + " is not 0, part of a member that version " +
+             std::string(kVersion) + " of the library does not have";
+    });
+  }
 }
 
 void and_with(std::uint8_t* pixels, Index count, std::uint8_t value) {
   for (Index i = 0; i < count; ++i) pixels[i] &= value;
+}
+
+std::uint8_t foreground_of(std::uint8_t given) {
+  return given == 0 ? 255 : given;
 }
 
 }  // namespace
@@ -30,10 +48,6 @@ thinbench_status fail(thinbench_status status, const char* message) noexcept {
   std::copy_n(message, length, last_message.begin());
   last_message[length] = 0;
   return status;
-}
-
-const char* last_error() {
-  return last_message.data();
 }
 
 void require_pointer(const void* pointer, const char* name) {
@@ -52,20 +66,24 @@ Isa isa_of(const char* name) {
   return named("isa", name, isa_from_name(view_of(name)), all_isas());
 }
 
+void copy_known(void* known, size_t known_size, size_t first_size, const void* given,
+                size_t given_size, const char* name) {
+  require_struct_size(given_size, first_size, name);
+  require_zeros(static_cast<const unsigned char*>(given), known_size, given_size, name);
+  std::memcpy(known, given, std::min(known_size, given_size));
+}
+
 Thinning thinning_of(const thinbench_thinning* given) {
   Thinning thinning;
   if (given == nullptr) return thinning;
-  const thinbench_thinning defaults = THINBENCH_THINNING_INIT;
-  const auto from = versioned(given, &thinbench_thinning::reserved, defaults, "thinning",
-                              "THINBENCH_THINNING_INIT");
-  require_reserved("thinning", from.reserved);
+  const auto from = known(given, thinbench_thinning THINBENCH_THINNING_INIT, "thinning");
   require(from.max_iterations >= 0, [&] {
     return "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
            std::to_string(from.max_iterations);
   });
   if (from.max_iterations > 0) thinning.max_iterations = from.max_iterations;
   if (from.border != nullptr) {
-    thinning.border = static_cast<Border>(index_of("border", from.border, kBorderNames));
+    thinning.border = enumerator<Border>("border", from.border, kBorderNames);
   }
   return thinning;
 }
@@ -73,66 +91,67 @@ Thinning thinning_of(const thinbench_thinning* given) {
 Execution execution_of(const thinbench_execution* given) {
   Execution execution;
   if (given == nullptr) return execution;
-  const thinbench_execution defaults = THINBENCH_EXECUTION_INIT;
-  const auto from = versioned(given, &thinbench_execution::isa, defaults, "execution",
-                              "THINBENCH_EXECUTION_INIT");
+  const auto from = known(given, thinbench_execution THINBENCH_EXECUTION_INIT, "execution");
   execution.threads = from.threads;
   if (from.isa != nullptr) execution.isa = isa_of(from.isa);
   return execution;
 }
 
-ThinningCall call_of(const thinbench_rule* rule, const thinbench_thinning* thinning,
-                     const thinbench_execution* execution) {
-  return {rule_of(rule), thinning_of(thinning), execution_of(execution)};
+Spacing spacing_of(const thinbench_spacing* given) {
+  if (given == nullptr) return {};
+  const auto from = known(given, thinbench_spacing THINBENCH_SPACING_INIT, "spacing");
+  return {from.x, from.y};
 }
 
-ConstStackView source_of(const thinbench_stack* stack) {
-  require_pointer(stack, "source");
-  return {stack->data,   stack->count,  stack->width,
-          stack->height, stack->stride, image_stride_of(stack->image_stride, stack->count)};
+Connectivity connectivity_of(std::int32_t number) {
+  require_connectivity(number);
+  return static_cast<Connectivity>(number);
 }
 
-StackView destination_of(const thinbench_output* output, const ConstStackView& source) {
-  require_pointer(output, "destination");
-  return {output->data,  source.count,   source.width,
-          source.height, output->stride, image_stride_of(output->image_stride, source.count)};
+ConstImageView image_of(const thinbench_image* image, const char* name) {
+  return written(image, name).view;
 }
 
-ConstImageView image_of(const thinbench_stack* stack) {
-  const ConstStackView source = source_of(stack);
-  require(source.count == 1,
-          [&] { return "expected one image, got " + std::to_string(source.count); });
-  return source.image(0);
+LabelView labels_of(const thinbench_labels* labels, const char* name) {
+  const auto from = known(labels, thinbench_labels THINBENCH_LABELS_INIT, name);
+  return {from.data, from.width, from.height, from.stride};
 }
 
-PackedViews packed_views(const thinbench_packed* source, uint8_t* destination,
-                         ptrdiff_t destination_stride) {
-  require_pointer(source, "source");
-  const BitOrder order = source->lsb_first != 0 ? BitOrder::lsb_first : BitOrder::msb_first;
-  return {{source->data, source->width, source->height, source->stride, order},
-          {destination, source->width, source->height, destination_stride, order}};
+View<double> reals_of(const thinbench_reals* reals, const char* name) {
+  const auto from = known(reals, thinbench_reals THINBENCH_REALS_INIT, name);
+  return {from.data, from.width, from.height, from.stride};
 }
 
-std::uint8_t foreground_of(const thinbench_output& output) {
-  return output.foreground == 0 ? 255 : output.foreground;
+Written<ImageView> written(const thinbench_image* image, const char* name) {
+  const auto to = known(image, thinbench_image THINBENCH_IMAGE_INIT, name);
+  return {{to.data, to.width, to.height, to.stride}, foreground_of(to.foreground)};
 }
 
-void set_foreground(const thinbench_output* output, const StackView& written) {
-  const std::uint8_t value = foreground_of(*output);
-  if (value == 255) return;
-  const Index pixels = written.width * written.height;
-  if (pixels == 0) return;
-  const bool contiguous =
-      written.stride == written.width && (written.count == 1 || written.image_stride == pixels);
-  if (contiguous) {
-    and_with(written.data, written.count * pixels, value);
+Written<StackView> written(const thinbench_stack* stack, const char* name) {
+  const auto to = known(stack, thinbench_stack THINBENCH_STACK_INIT, name);
+  return {{to.data, to.count, to.width, to.height, to.stride, to.image_stride},
+          foreground_of(to.foreground)};
+}
+
+void set_foreground(const Written<ImageView>& image) {
+  const auto& [view, value] = image;
+  if (value == 255 || view.width == 0 || view.height == 0) return;
+  if (view.stride == view.width) {
+    and_with(view.data, view.width * view.height, value);
     return;
   }
-  for (Index i = 0; i < written.count; ++i) {
-    for (Index y = 0; y < written.height; ++y) {
-      and_with(written.image(i).row(y), written.width, value);
-    }
+  for (Index y = 0; y < view.height; ++y) and_with(view.row(y), view.width, value);
+}
+
+void set_foreground(const Written<StackView>& stack) {
+  if (stack.foreground == 255) return;
+  for (Index i = 0; i < stack.view.count; ++i) {
+    set_foreground(Written<ImageView>{stack.view.image(i), stack.foreground});
   }
 }
 
 }  // namespace thinbench::detail
+
+const char* thinbench_last_error() {
+  return thinbench::detail::last_message.data();
+}

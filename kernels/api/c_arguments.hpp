@@ -1,11 +1,13 @@
-// Arguments of the C interface to C++ types, exceptions to statuses. Conversions throw
-// std::invalid_argument.
+// Arguments of the C interface to C++ types, results to handles, exceptions to statuses.
+// Conversions throw std::invalid_argument.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,18 +15,17 @@
 
 #include "core/checks.hpp"
 #include "thinbench.h"
-#include "thinbench/batch.hpp"
+#include "thinbench/distance.hpp"
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
 #include "thinbench/packed.hpp"
-#include "thinbench/thinning.hpp"
-#include "thinning/operations.hpp"
+#include "thinbench/regions.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
 
 /// Sets this thread's message and returns the status.
 thinbench_status fail(thinbench_status status, const char* message) noexcept;
-
-/// The message of this thread's last failure.
-[[nodiscard]] const char* last_error();
 
 /// Runs a body and turns its exceptions into a status.
 template <class Body>
@@ -45,6 +46,37 @@ thinbench_status guarded(const Body& body) noexcept {
 
 void require_pointer(const void* pointer, const char* name);
 
+// Results.
+
+/// Sets a handle to what `make` returns; NULL on failure.
+template <class Handle, class Make>
+thinbench_status give(Handle** handle, const char* name, const Make& make) noexcept {
+  return guarded([&] {
+    require_pointer(handle, name);
+    *handle = nullptr;
+    *handle = new Handle{make()};
+  });
+}
+
+/// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and
+/// where the size of the caller's struct is another.
+template <class Struct, class Handle, class Base, class T>
+const Struct* list_of(const Handle* handle, std::vector<T> Base::*list, size_t* count,
+                      size_t size) noexcept {
+  static_assert(sizeof(Struct) == sizeof(T));
+  const bool is_there = handle != nullptr && size == sizeof(Struct);
+  if (count != nullptr) *count = is_there ? (handle->*list).size() : 0;
+  return is_there ? reinterpret_cast<const Struct*>((handle->*list).data()) : nullptr;
+}
+
+/// Sets what a pointer that may be NULL points to.
+template <class T, class Value>
+void report(const Value& value, T* result) {
+  if (result != nullptr) *result = value;
+}
+
+// Names.
+
 [[nodiscard]] std::string_view view_of(const char* name);
 
 /// "NULL" or the name in quotation marks, for messages of one line.
@@ -62,9 +94,9 @@ std::string_view name_of(const Info& info) {
   return info.name;
 }
 
-template <class Infos>
-const char* name_at(const Infos& infos, size_t index) {
-  return index < infos.size() ? infos[index].name.data() : nullptr;
+template <class List>
+const char* name_at(const List& list, size_t index) {
+  return index < std::size(list) ? name_of(list[index]).data() : nullptr;
 }
 
 /// The value with this name, if there is one; the list has all names for the message.
@@ -87,84 +119,102 @@ size_t index_of(const char* what, const char* name, const List& list) {
   return named(what, name, index, list);
 }
 
+/// The same for an enumeration and its names.
+template <class Value, class Names>
+Value enumerator(const char* what, const char* name, const Names& names) {
+  return static_cast<Value>(index_of(what, name, names));
+}
+
 [[nodiscard]] Isa isa_of(const char* name);
 
-// Without padding at its end, a struct becomes larger by its next member.
-static_assert(offsetof(thinbench_thinning, reserved) + sizeof(int32_t) ==
-              sizeof(thinbench_thinning));
-static_assert(offsetof(thinbench_execution, isa) + sizeof(void*) == sizeof(thinbench_execution));
-static_assert(offsetof(thinbench_rule_info, reach) + sizeof(int32_t) ==
-              sizeof(thinbench_rule_info));
-static_assert(offsetof(thinbench_binarisation, reserved) + sizeof(int32_t) ==
-              sizeof(thinbench_binarisation));
-static_assert(offsetof(thinbench_pruning, spacing) + sizeof(void*) == sizeof(thinbench_pruning));
+// Structs that begin with their size.
 
-/// A struct whose caller may know fewer members than this library, but at least those up to `last`,
-/// the last of version 1.0; the others keep their defaults.
-template <class Struct, class Member>
-Struct versioned(const Struct* given, Member Struct::*last, Struct defaults, const char* name,
-                 const char* initialiser) {
-  const auto* const begin = reinterpret_cast<const char*>(&defaults);
-  const auto* const end = reinterpret_cast<const char*>(&(defaults.*last) + 1);
-  const auto first_version = static_cast<size_t>(end - begin);
-  require(first_version <= given->size && given->size <= sizeof(Struct), [&] {
-    return std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
-           std::to_string(given->size) + "; " + initialiser + " sets it";
-  });
-  std::memcpy(&defaults, given, given->size);
+/// How large a struct was in version 1.0, which every caller has. A version that adds a member
+/// specialises it with the place of this member.
+template <class Struct>
+inline constexpr size_t kFirstSize = sizeof(Struct);
+
+/// Copies a struct of a caller to one that has the defaults of all members: the caller may know
+/// fewer members, or more if these are 0.
+void copy_known(void* known, size_t known_size, size_t first_size, const void* given,
+                size_t given_size, const char* name);
+
+/// The struct of a caller, whose reserved members must be 0.
+template <class Struct>
+Struct known(const Struct* given, const Struct& defaults, const char* name) {
+  require_pointer(given, name);
+  Struct result = defaults;
+  if (given->size == sizeof(Struct)) {
+    result = *given;
+  } else {
+    copy_known(&result, sizeof(Struct), kFirstSize<Struct>, given, given->size, name);
+  }
+  if constexpr (requires { result.reserved; }) {
+    constexpr decltype(Struct::reserved) zeros{};
+    require(std::memcmp(&result.reserved, &zeros, sizeof(zeros)) == 0,
+            [&] { return name + std::string(".reserved: expected 0"); });
+  }
+  return result;
+}
+
+/// What a struct of results starts from.
+template <class Struct>
+Struct fresh(const Struct* given, const Struct& defaults, const char* name) {
+  static_cast<void>(known(given, defaults, name));
   return defaults;
 }
 
-/// What fills a struct up, until a later version gives it a meaning.
-inline void require_reserved(const char* name, int32_t reserved) {
-  require(reserved == 0, [&] {
-    return std::string(name) + ".reserved: expected 0, got " + std::to_string(reserved);
-  });
+/// Sets what a caller knows of a struct of results.
+template <class Struct>
+void give_known(Struct value, Struct* given) {
+  value.size = given->size;
+  std::memcpy(given, &value, std::min(value.size, sizeof(Struct)));
 }
 
-/// NULL: as the rule says.
+// Options; NULL stands for the defaults.
 [[nodiscard]] Thinning thinning_of(const thinbench_thinning* given);
-
-/// NULL: the defaults.
 [[nodiscard]] Execution execution_of(const thinbench_execution* given);
+[[nodiscard]] Spacing spacing_of(const thinbench_spacing* given);
+
+/// 8 or 4.
+[[nodiscard]] Connectivity connectivity_of(std::int32_t number);
 
 /// What a handle has.
 [[nodiscard]] const Rule& rule_of(const thinbench_rule* handle);
 
-[[nodiscard]] ThinningCall call_of(const thinbench_rule* rule, const thinbench_thinning* thinning,
-                                   const thinbench_execution* execution);
+// Images.
+[[nodiscard]] ConstImageView image_of(const thinbench_image* image, const char* name = "source");
+[[nodiscard]] LabelView labels_of(const thinbench_labels* labels, const char* name);
+[[nodiscard]] View<double> reals_of(const thinbench_reals* reals, const char* name);
 
-[[nodiscard]] ConstStackView source_of(const thinbench_stack* stack);
-[[nodiscard]] StackView destination_of(const thinbench_output* output,
-                                       const ConstStackView& source);
-/// The image of a stack of one.
-[[nodiscard]] ConstImageView image_of(const thinbench_stack* stack);
-
-[[nodiscard]] inline Spacing spacing_of(const thinbench_spacing* spacing) {
-  return spacing == nullptr ? Spacing{} : Spacing{spacing->x, spacing->y};
-}
-
-/// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and
-/// where the size of the caller's struct is another.
-template <class Struct, class Handle, class Base, class T>
-const Struct* list_of(const Handle* handle, std::vector<T> Base::*list, size_t* count,
-                      size_t size) {
-  const bool is_there = handle != nullptr && size == sizeof(Struct);
-  if (count != nullptr) *count = is_there ? (handle->*list).size() : 0;
-  return is_there ? reinterpret_cast<const Struct*>((handle->*list).data()) : nullptr;
-}
-
-struct PackedViews {
-  ConstPackedView source;
-  PackedView destination;
+/// The image of a result, and what is written instead of 255.
+template <class Image>
+struct Written {
+  Image view;
+  std::uint8_t foreground;
 };
-[[nodiscard]] PackedViews packed_views(const thinbench_packed* source, uint8_t* destination,
-                                       ptrdiff_t destination_stride);
-
-/// The value that the caller wants for foreground.
-[[nodiscard]] std::uint8_t foreground_of(const thinbench_output& output);
+[[nodiscard]] Written<ImageView> written(const thinbench_image* image,
+                                         const char* name = "destination");
+[[nodiscard]] Written<StackView> written(const thinbench_stack* stack, const char* name);
 
 /// Replaces 255 by the value that the caller wants for foreground.
-void set_foreground(const thinbench_output* output, const StackView& written);
+void set_foreground(const Written<ImageView>& image);
+void set_foreground(const Written<StackView>& stack);
+
+/// Calls `write` with the image of a result, of which the caller may want another foreground.
+template <class Write>
+void write_to(const thinbench_image* destination, const Write& write) {
+  const Written<ImageView> image = written(destination);
+  write(image.view);
+  set_foreground(image);
+}
+
+/// A list of the caller, which may be NULL without elements.
+template <class T, class Struct>
+std::span<const T> span_of(const Struct* list, size_t count, const char* name) {
+  static_assert(sizeof(T) == sizeof(Struct));
+  if (count > 0) require_pointer(list, name);
+  return {reinterpret_cast<const T*>(list), count};
+}
 
 }  // namespace thinbench::detail

@@ -1,84 +1,126 @@
 // The C interface of graphs.
-#include "api/c_graph.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <string>
+#include <utility>
 
 #include "api/c_arguments.hpp"
-#include "core/checks.hpp"
-#include "thinbench.h"
+#include "thinbench/graph.hpp"
+#include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_parts.hpp"
 
-static_assert(sizeof(thinbench_graph_node) == sizeof(thinbench::GraphNode));
-static_assert(sizeof(thinbench_graph_edge) == sizeof(thinbench::GraphEdge));
-static_assert(sizeof(thinbench_pixel) == sizeof(thinbench::Pixel));
 static_assert(offsetof(thinbench_graph_node, pixel_count) ==
               offsetof(thinbench::GraphNode, pixel_count));
 static_assert(offsetof(thinbench_graph_edge, horizontal_steps) ==
               offsetof(thinbench::GraphEdge, steps));
+static_assert(sizeof(thinbench_widths) == sizeof(thinbench::EdgeWidths));
+
+struct thinbench_graph : thinbench::Graph {
+  std::vector<std::int32_t> labels;  // of the nodes; empty without labels
+};
+
+namespace {
 
 using namespace thinbench;
 using namespace thinbench::detail;
 
-Pruning thinbench::detail::pruning_of(const thinbench_pruning* pruning, Index width, Index height) {
-  require_pointer(pruning, "pruning");
-  const thinbench_pruning defaults = THINBENCH_PRUNING_INIT;
-  const auto given = versioned(pruning, &thinbench_pruning::spacing, defaults, "pruning",
-                               "THINBENCH_PRUNING_INIT");
+thinbench_graph graph_of(Graph graph) {
+  return {{std::move(graph)}, {}};
+}
+
+thinbench_graph graph_of(LabelGraph found) {
+  return {{std::move(found.graph)}, std::move(found.labels)};
+}
+
+Pruning pruning_of(const thinbench_pruning* pruning) {
+  const auto given = known(pruning, thinbench_pruning THINBENCH_PRUNING_INIT, "pruning");
   Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
+  if (given.distances != nullptr) result.distances = reals_of(given.distances, "distances");
   result.removes_components = given.removes_components != 0;
-  if (given.distances != nullptr) {
-    result.distances = {given.distances, width, height, given.distances_stride};
-  }
   result.spacing = spacing_of(given.spacing);
   return result;
 }
 
-thinbench_status thinbench_classify_pixels(const thinbench_stack* image, uint8_t* classes,
-                                           ptrdiff_t classes_stride, uint8_t* degrees,
-                                           ptrdiff_t degrees_stride) {
+/// Sets a handle that the caller may not want to what `make` returns.
+template <class Make>
+thinbench_status give_if_wanted(thinbench_graph** graph, const Make& make) noexcept {
+  if (graph != nullptr) return give(graph, "graph", make);
+  return guarded([&] { make(); });
+}
+
+}  // namespace
+
+thinbench_status thinbench_classify_pixels(const thinbench_image* image,
+                                           const thinbench_image* classes,
+                                           const thinbench_image* degrees,
+                                           const thinbench_execution* execution) {
   return guarded([&] {
-    const ConstImageView source = image_of(image);
-    classify_pixels(source, {classes, source.width, source.height, classes_stride},
-                    {degrees, source.width, source.height, degrees_stride});
+    const auto view = [](const thinbench_image* result, const char* name) {
+      return result == nullptr ? ImageView() : written(result, name).view;
+    };
+    classify_pixels(image_of(image, "image"), view(classes, "classes"), view(degrees, "degrees"),
+                    execution_of(execution));
   });
 }
 
-thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
+thinbench_status thinbench_full_blocks(const thinbench_image* image,
+                                       const thinbench_execution* execution, int64_t* count,
                                        thinbench_pixel* first) {
   return guarded([&] {
     require_pointer(count, "count");
-    const FullBlocks found = full_blocks(image_of(image));
+    const FullBlocks found = full_blocks(image_of(image, "image"), execution_of(execution));
     *count = found.count;
-    if (first != nullptr) *first = {found.first.x, found.first.y};
+    report(thinbench_pixel{found.first.x, found.first.y}, first);
   });
 }
 
-thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+thinbench_status thinbench_skeleton_graph(const thinbench_image* skeleton,
                                           const thinbench_execution* execution,
                                           thinbench_graph** graph) {
-  return guarded([&] {
-    require_pointer(graph, "graph");
-    *graph = nullptr;
-    *graph = new thinbench_graph{{skeleton_graph(image_of(skeleton), execution_of(execution))}, {}};
+  return give(graph, "graph", [&] {
+    return graph_of(skeleton_graph(image_of(skeleton, "skeleton"), execution_of(execution)));
   });
 }
 
-thinbench_status thinbench_prune(const thinbench_stack* skeleton,
-                                 const thinbench_output* destination,
+thinbench_status thinbench_graph_of_labels(const thinbench_labels* skeletons,
+                                           const thinbench_execution* execution,
+                                           thinbench_graph** graph) {
+  return give(graph, "graph", [&] {
+    return graph_of(graph_of_labels(labels_of(skeletons, "skeletons"), execution_of(execution)));
+  });
+}
+
+thinbench_status thinbench_split_graph(const thinbench_graph* graph, const thinbench_pixel* pixels,
+                                       size_t count, thinbench_graph** split) {
+  return give(split, "split", [&] {
+    require_pointer(graph, "graph");
+    return graph_of(split_graph(*graph, span_of<Pixel>(pixels, count, "pixels")));
+  });
+}
+
+thinbench_status thinbench_prune(const thinbench_image* skeleton,
+                                 const thinbench_image* destination,
                                  const thinbench_pruning* pruning,
                                  const thinbench_execution* execution, thinbench_graph** graph) {
-  return guarded([&] {
-    if (graph != nullptr) *graph = nullptr;
-    const ConstImageView image = image_of(skeleton);
-    const StackView target = destination_of(destination, source_of(skeleton));
-    auto found = std::make_unique<thinbench_graph>();
-    static_cast<Graph&>(*found) =
-        prune(image, target.image(0), pruning_of(pruning, image.width, image.height),
-              execution_of(execution));
-    set_foreground(destination, target);
-    if (graph != nullptr) *graph = found.release();
+  return give_if_wanted(graph, [&] {
+    Graph found;
+    write_to(destination, [&](const ImageView& to) {
+      found =
+          prune(image_of(skeleton, "skeleton"), to, pruning_of(pruning), execution_of(execution));
+    });
+    return graph_of(std::move(found));
+  });
+}
+
+thinbench_status thinbench_prune_labels(const thinbench_labels* skeletons,
+                                        const thinbench_labels* destination,
+                                        const thinbench_pruning* pruning,
+                                        const thinbench_execution* execution,
+                                        thinbench_graph** graph) {
+  return give_if_wanted(graph, [&] {
+    return graph_of(prune_labels(labels_of(skeletons, "skeletons"),
+                                 labels_of(destination, "destination"), pruning_of(pruning),
+                                 execution_of(execution)));
   });
 }
 
@@ -102,21 +144,29 @@ const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
   return list_of<thinbench_pixel>(graph, &thinbench_graph::edge_pixels, count, size);
 }
 
+const int32_t* thinbench_graph_node_labels(const thinbench_graph* graph, size_t* count,
+                                           size_t size) {
+  return list_of<int32_t>(graph, &thinbench_graph::labels, count, size);
+}
+
 void thinbench_graph_destroy(thinbench_graph* graph) {
   delete graph;
 }
 
-thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph, const double* distances,
-                                             ptrdiff_t stride, ptrdiff_t height, ptrdiff_t width,
-                                             thinbench_edge_widths* widths) {
+thinbench_status thinbench_edge_widths(const thinbench_graph* graph,
+                                       const thinbench_reals* distances,
+                                       const thinbench_execution* execution,
+                                       thinbench_widths* widths, size_t size) {
   return guarded([&] {
     require_pointer(graph, "graph");
-    if (graph->edges.empty()) return;
-    require_pointer(widths, "widths");
-    const auto found = edge_widths(*graph, {distances, width, height, stride});
-    for (const auto& [mean, median, min, max] : found) {
-      *widths++ = {mean, median, min, max};
-    }
+    require(size == sizeof(thinbench_widths), [&] {
+      return "size: expected " + std::to_string(sizeof(thinbench_widths)) + ", got " +
+             std::to_string(size);
+    });
+    const auto found =
+        edge_widths(*graph, reals_of(distances, "distances"), execution_of(execution));
+    if (!found.empty()) require_pointer(widths, "widths");
+    std::ranges::copy(found, reinterpret_cast<EdgeWidths*>(widths));
   });
 }
 
@@ -125,13 +175,10 @@ thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
                                     size_t* kept_count) {
   return guarded([&] {
     require_pointer(kept_count, "kept_count");
-    if (count > 0) {
-      require_pointer(points, "points");
-      require_pointer(kept, "kept");
-    }
+    if (count > 0) require_pointer(kept, "kept");
     const std::vector<Pixel> result =
-        polyline({reinterpret_cast<const Pixel*>(points), count}, tolerance, spacing_of(spacing));
-    std::copy(result.begin(), result.end(), reinterpret_cast<Pixel*>(kept));
+        polyline(span_of<Pixel>(points, count, "points"), tolerance, spacing_of(spacing));
+    std::ranges::copy(result, reinterpret_cast<Pixel*>(kept));
     *kept_count = result.size();
   });
 }

@@ -21,19 +21,11 @@ namespace {
 using namespace thinbench;
 using namespace thinbench::detail;
 
-template <class T>
-struct NamedValue {
-  std::string_view name;
-  T value;
-};
-
-constexpr NamedValue<WindowOrder> kWindowOrders[] = {{"raster", WindowOrder::raster},
-                                                     {"matlab", WindowOrder::matlab},
-                                                     {"octave", WindowOrder::octave}};
-constexpr NamedValue<NeighbourOrder> kNeighbourOrders[] = {
-    {"descriptor", kDescriptorOrder}, {"clockwise", kClockwiseOrder}, {"raster", kRasterOrder}};
-constexpr NamedValue<Activation> kActivations[] = {{"sigmoid", Activation::sigmoid},
-                                                   {"linear", Activation::linear}};
+// In the order of the enumerations, and of the constants.
+constexpr std::string_view kWindowOrderNames[] = {"raster", "matlab", "octave"};
+constexpr std::string_view kActivationNames[] = {"sigmoid", "linear"};
+constexpr std::string_view kNeighbourOrderNames[] = {"descriptor", "clockwise", "raster"};
+constexpr NeighbourOrder kNeighbourOrders[] = {kDescriptorOrder, kClockwiseOrder, kRasterOrder};
 
 /// Hands over the table that `make` returns.
 template <class Make>
@@ -46,11 +38,10 @@ thinbench_status give_table(uint64_t* table, const Make& make) noexcept {
 }
 
 std::vector<std::string> patterns_of(const char* const* patterns, size_t count) {
-  if (count > 0) require_pointer(patterns, "patterns");
   std::vector<std::string> list;
-  for (size_t i = 0; i < count; ++i) {
-    require_pointer(patterns[i], "a pattern");
-    list.emplace_back(patterns[i]);
+  for (const char* const pattern : span_of<const char*>(patterns, count, "patterns")) {
+    require_pointer(pattern, "a pattern");
+    list.emplace_back(pattern);
   }
   return list;
 }
@@ -95,16 +86,6 @@ ClusterWeights cluster_weights(const int32_t* last, const float* weights, size_t
   return cluster;
 }
 
-/// Hands over the rule that `make` returns.
-template <class Make>
-thinbench_status give_rule(thinbench_rule** rule, const Make& make) noexcept {
-  return guarded([&] {
-    require_pointer(rule, "rule");
-    *rule = nullptr;
-    *rule = new thinbench_rule{make()};
-  });
-}
-
 /// What is listed of built-in and named rules, also after the rule's end.
 void set_texts(std::string_view name, thinbench_rule_info& info) {
   if (const auto built_in = rule_from_name(name)) {
@@ -130,7 +111,7 @@ const Rule& rule_of(const thinbench_rule* handle) {
 }  // namespace thinbench::detail
 
 thinbench_status thinbench_rule_named(const char* name, thinbench_rule** rule) {
-  return give_rule(rule, [&] {
+  return give(rule, "rule", [&] {
     require_pointer(name, "name");
     return Rule::named(name);
   });
@@ -139,7 +120,7 @@ thinbench_status thinbench_rule_named(const char* name, thinbench_rule** rule) {
 thinbench_status thinbench_rule_from_tables(const uint64_t* tables, size_t sub_iterations,
                                             const thinbench_thinning* defaults, int32_t optimise,
                                             thinbench_rule** rule) {
-  return give_rule(rule, [&] {
+  return give(rule, "rule", [&] {
     const Thinning given = thinning_of(defaults);
     return Rule(tables_of(tables, sub_iterations),
                 {given.border.value_or(Border::background),
@@ -149,16 +130,16 @@ thinbench_status thinbench_rule_from_tables(const uint64_t* tables, size_t sub_i
 
 thinbench_status thinbench_rule_from_two_layer_net(const float* weights, const char* activation,
                                                    thinbench_rule** rule) {
-  return give_rule(rule, [&] {
+  return give(rule, "rule", [&] {
     require_pointer(weights, "weights");
     return Rule::from_net(two_layer_weights(weights),
-                          kActivations[index_of("activation", activation, kActivations)].value);
+                          enumerator<Activation>("activation", activation, kActivationNames));
   });
 }
 
 thinbench_status thinbench_rule_from_cluster(const int32_t* last, const float* weights,
                                              size_t count, thinbench_rule** rule) {
-  return give_rule(rule, [&] {
+  return give(rule, "rule", [&] {
     require_pointer(last, "last");
     require_pointer(weights, "weights");
     return Rule::from_net(cluster_weights(last, weights, count));
@@ -173,10 +154,7 @@ thinbench_status thinbench_rule_describe(const thinbench_rule* rule, thinbench_r
   return guarded([&] {
     require_pointer(info, "info");
     const Rule& described = rule_of(rule);
-    thinbench_rule_info found = THINBENCH_RULE_INFO_INIT;
-    found.size =
-        versioned(info, &thinbench_rule_info::reach, found, "info", "THINBENCH_RULE_INFO_INIT")
-            .size;
+    auto found = fresh(info, thinbench_rule_info THINBENCH_RULE_INFO_INIT, "info");
     found.name = described.name().data();
     set_texts(described.name(), found);
     const auto tables = described.sub_iterations();
@@ -185,7 +163,7 @@ thinbench_status thinbench_rule_describe(const thinbench_rule* rule, thinbench_r
     found.border = border_name(described.border()).data();
     found.max_iterations = described.max_iterations();
     found.reach = described.reach();
-    std::memcpy(info, &found, found.size);
+    give_known(found, info);
   });
 }
 
@@ -219,7 +197,7 @@ thinbench_status thinbench_table_from_values(const uint8_t* values, const char* 
   return give_table(table, [&] {
     require_pointer(values, "values");
     return table_from_values({values, WindowTable::kWindows},
-                             kWindowOrders[index_of("order", order, kWindowOrders)].value);
+                             enumerator<WindowOrder>("order", order, kWindowOrderNames));
   });
 }
 
@@ -228,6 +206,6 @@ thinbench_status thinbench_table_from_removals(const uint8_t* removed, const cha
   return give_table(table, [&] {
     require_pointer(removed, "removed");
     return table_from_removals({removed, 256},
-                               kNeighbourOrders[index_of("order", order, kNeighbourOrders)].value);
+                               kNeighbourOrders[index_of("order", order, kNeighbourOrderNames)]);
   });
 }

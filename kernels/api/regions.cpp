@@ -18,7 +18,7 @@ auto state_for(const Parameters& parameters, const ConstImageView& source,
 }
 
 Regions lists_of(const ConstImageView& source, bool with_holes, const Execution& execution) {
-  detail::check_views(source, source, detail::InPlace::allowed);
+  detail::check(detail::memory_of("source", source));
   Regions found;
   state_for(detail::ListParameters{with_holes}, source, execution)->run(source, found);
   return found;
@@ -44,7 +44,7 @@ Regions find_regions(ConstImageView source, const Execution& execution) {
   return lists_of(source, true, execution);
 }
 
-std::vector<Region> find_components(ConstImageView source, const Execution& execution) {
+std::vector<Region> find_objects(ConstImageView source, const Execution& execution) {
   return lists_of(source, false, execution).objects;
 }
 
@@ -54,11 +54,10 @@ Regions label_regions(ConstImageView source, LabelView labels, const Execution& 
   return found;
 }
 
-std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                     Connectivity connectivity, LabelOrder order,
-                                     const Execution& execution) {
-  const LabelTask task =
-      task_for(connectivity, LabelTask::objects_eight, LabelTask::objects_four);
+std::vector<Region> label_objects(ConstImageView source, LabelView labels,
+                                  Connectivity connectivity, LabelOrder order,
+                                  const Execution& execution) {
+  const LabelTask task = task_for(connectivity, LabelTask::objects_eight, LabelTask::objects_four);
   Regions found;
   label(source, labels, {task, order}, execution, found);
   return std::move(found.objects);
@@ -72,19 +71,14 @@ std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity 
 }
 
 std::int64_t euler_number(ConstImageView source, Connectivity objects, const Execution& execution) {
-  detail::check_views(source, source, detail::InPlace::allowed);
+  detail::check(detail::memory_of("source", source));
   return state_for(detail::EulerParameters{objects}, source, execution)->run(source);
 }
 
-void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {
-  fill_holes(source, destination, Connectivity::eight, kAnyHoleArea, execution);
-}
-
-void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
-                std::int64_t max_area, const Execution& execution) {
+void fill_holes(ConstImageView source, ImageView destination, const HoleFilling& filling,
+                const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  state_for(detail::FillParameters{objects, max_area}, source, execution)
-      ->run(source, destination);
+  state_for(filling, source, execution)->run(source, destination);
 }
 
 }  // namespace thinbench

@@ -7,21 +7,6 @@
 namespace thinbench {
 namespace {
 
-using detail::ThinningState;
-using detail::ThinningVariant;
-
-struct Chosen {
-  const ThinningVariant& variant;
-  std::unique_ptr<ThinningState> state;
-};
-
-Chosen choose(const Rule& rule, Index width, Index height, const Thinning& thinning,
-              const Execution& execution) {
-  const detail::ThinningParameters parameters = detail::thinning_parameters(rule, thinning);
-  const ThinningVariant& variant = detail::choose_thinning(parameters, width, height, execution);
-  return {variant, detail::make_state(variant, width, height, parameters, execution.threads)};
-}
-
 void require_order(BitOrder order, const char* name) {
   detail::require(order == BitOrder::msb_first || order == BitOrder::lsb_first, [&] {
     return name + (" has the bit order " + std::to_string(static_cast<int>(order))) +
@@ -33,12 +18,9 @@ void require_order(BitOrder order, const char* name) {
 
 Thinner::Thinner(const Rule& rule, Index width, Index height, const Thinning& thinning,
                  const Execution& execution)
-    : width_(width), height_(height) {
-  Chosen chosen = choose(rule, width, height, thinning, execution);
-  state_ = std::move(chosen.state);
-  technique_ = chosen.variant.technique;
-  isa_ = chosen.variant.isa;
-}
+    : state_(detail::make_thinning({rule, thinning, execution}, width, height)),
+      width_(width),
+      height_(height) {}
 
 Thinner::~Thinner() = default;
 Thinner::Thinner(Thinner&&) noexcept = default;
@@ -56,17 +38,17 @@ int Thinner::operator()(ConstImageView source, ImageView destination) {
 int thin(const Rule& rule, ConstImageView source, ImageView destination, const Thinning& thinning,
          const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  return choose(rule, source.width, source.height, thinning, execution)
-      .state->run(source, destination);
+  return detail::make_thinning({rule, thinning, execution}, source.width, source.height)
+      ->run(source, destination);
 }
 
-int thin(const Rule& rule, ConstPackedView source, PackedView destination, const Thinning& thinning,
-         const Execution& execution) {
+int thin_packed(const Rule& rule, ConstPackedView source, PackedView destination,
+                const Thinning& thinning, const Execution& execution) {
   require_order(source.order, "source");
   require_order(destination.order, "destination");
   detail::check_views(source, destination, detail::InPlace::allowed);
-  return choose(rule, source.width, source.height, thinning, execution)
-      .state->run(source, destination);
+  return detail::make_thinning({rule, thinning, execution}, source.width, source.height)
+      ->run(source, destination);
 }
 
 }  // namespace thinbench

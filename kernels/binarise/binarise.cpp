@@ -144,7 +144,7 @@ Binarised binarise_checked(const View<const T>& grey, const ImageView& destinati
 Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request,
                    const Execution& execution) {
   detail::check_views(grey, destination, detail::InPlace::allowed);
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   if (!request.local || grey.data != destination.data) {
     return binarise_checked(grey, destination, request);
   }
@@ -155,7 +155,7 @@ Binarised binarise(ConstImageView grey, ImageView destination, const Binarisatio
 Binarised binarise16(View<const std::uint16_t> grey, ImageView destination,
                      const Binarisation& request, const Execution& execution) {
   detail::check_views(grey, destination, detail::InPlace::rejected);
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   return binarise_checked(grey, destination, request);
 }
 

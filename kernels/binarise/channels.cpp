@@ -108,7 +108,7 @@ template <class T>
 Channel select(const ColourView<T>& colours, const View<T>& destination, Channel channel,
                const Execution& execution) {
   check(colours, destination, channel);
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   if (channel == Channel::grey || !has_colours(colours)) channel = Channel::grey;
   if (channel == Channel::automatic) channel = best_channel(colours, destination);
   write_channel(colours, destination, channel);

@@ -146,9 +146,9 @@ void Pairs::learn(int on, int off, std::uint64_t used) {
 }
 
 /// The circuit during a search.
-class Circuit {
+class WorkingNetwork {
  public:
-  Circuit(GateNetwork network, const GateCosts& costs)
+  WorkingNetwork(GateNetwork network, const GateCosts& costs)
       : network_(std::move(network)), costs_(&costs), counter_(costs) {
     tidy();
   }
@@ -193,7 +193,7 @@ class Circuit {
   std::vector<int> candidates_;
 };
 
-void Circuit::tidy() {
+void WorkingNetwork::tidy() {
   sort_gates(network_);
   tables_ = tables_of(network_);
   counter_ = CostCounter(*costs_);
@@ -206,7 +206,7 @@ void Circuit::tidy() {
   ++references_[static_cast<std::size_t>(network_.output)];
 }
 
-Requirement Circuit::requirement_of(int value) {
+Requirement WorkingNetwork::requirement_of(int value) {
   const auto v = static_cast<std::size_t>(value);
   depends_.assign(tables_.size(), 0);
   flipped_.resize(tables_.size());
@@ -236,14 +236,14 @@ Requirement Circuit::requirement_of(int value) {
   return requirement;
 }
 
-void Circuit::add_reference(int value, int& cost) {
+void WorkingNetwork::add_reference(int value, int& cost) {
   if (references_[static_cast<std::size_t>(value)]++ > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
   cost += counter_.add(gate);
   for (const std::uint16_t input : gate.inputs) add_reference(input, cost);
 }
 
-void Circuit::drop_reference(int value, int& cost) {
+void WorkingNetwork::drop_reference(int value, int& cost) {
   if (--references_[static_cast<std::size_t>(value)] > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
   cost += counter_.remove(gate);
@@ -251,8 +251,8 @@ void Circuit::drop_reference(int value, int& cost) {
 }
 
 /// Whether three candidates suffice; if so, sets the gate, else learns a pair that shows why not.
-bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& candidates,
-                   std::uint64_t used, Pairs& pairs, Gate& gate) {
+bool WorkingNetwork::test(const Requirement& requirement, const std::array<int, 3>& candidates,
+                          std::uint64_t used, Pairs& pairs, Gate& gate) {
   gate.function = 0;
   const Words* tables[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -281,7 +281,7 @@ bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& can
 }
 
 /// `freed`: the cost of the gate and of what only it needs.
-void Circuit::offer(const Gate& gate, int freed, Choice& best, Random& random) {
+void WorkingNetwork::offer(const Gate& gate, int freed, Choice& best, Random& random) {
   int added = counter_.add(gate);
   int dropped = 0;
   for (const std::uint16_t input : gate.inputs) add_reference(input, added);
@@ -296,8 +296,8 @@ void Circuit::offer(const Gate& gate, int freed, Choice& best, Random& random) {
 
 /// Triples that distinguish all pairs: the first candidate distinguishes some pair, the second the
 /// next pair that the first does not, the third the next that neither does.
-std::int64_t Circuit::search_triples(const Requirement& requirement, int freed, Pairs& pairs,
-                                     Choice& best, Random& random) {
+std::int64_t WorkingNetwork::search_triples(const Requirement& requirement, int freed, Pairs& pairs,
+                                            Choice& best, Random& random) {
   constexpr int kMaxTests = 200;
   constexpr int kTestWork = 120;
   std::int64_t work = 0;
@@ -340,7 +340,7 @@ std::int64_t Circuit::search_triples(const Requirement& requirement, int freed, 
   return work;
 }
 
-void Circuit::replace(int value, SignedValue by) {
+void WorkingNetwork::replace(int value, SignedValue by) {
   for (Gate& gate : network_.gates) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (gate.inputs[i] != value) continue;
@@ -366,7 +366,7 @@ std::optional<SignedValue> passed_on(const Gate& gate) {
   return SignedValue{a, at_0};
 }
 
-std::int64_t Circuit::improve(int index, Pairs& pairs, Random& random) {
+std::int64_t WorkingNetwork::improve(int index, Pairs& pairs, Random& random) {
   const int value = kWindowPixels + index;
   const Requirement requirement = requirement_of(value);
   const auto size = static_cast<std::int64_t>(tables_.size());
@@ -394,7 +394,7 @@ std::int64_t Circuit::improve(int index, Pairs& pairs, Random& random) {
   return work;
 }
 
-bool Circuit::expand(int index, const PixelOrder& order) {
+bool WorkingNetwork::expand(int index, const PixelOrder& order) {
   const int value = kWindowPixels + index;
   static_cast<void>(requirement_of(value));
   Decomposer decomposer(order);
@@ -493,19 +493,19 @@ class Search {
   }
 
  private:
-  Circuit random_expansion() {
+  WorkingNetwork random_expansion() {
     const PixelOrder order = random_order(random_);
     if (by_sums_) return {with_row_sums(expansion(*by_sums_, order)), costs_};
     return {expansion(table_, order), costs_};
   }
 
   /// The smallest of a few expansions.
-  Circuit start() {
+  WorkingNetwork start() {
     constexpr int kStarts = 5;
     constexpr int kGateWork = 10'000;
-    Circuit smallest = random_expansion();
+    WorkingNetwork smallest = random_expansion();
     for (int i = 1; i < kStarts; ++i) {
-      Circuit circuit = random_expansion();
+      WorkingNetwork circuit = random_expansion();
       work_left_ -= kGateWork * circuit.gates();
       if (circuit.cost() < smallest.cost()) smallest = std::move(circuit);
     }
@@ -513,7 +513,7 @@ class Search {
   }
 
   /// Improves random gates until that stops helping.
-  void shrink(Circuit& circuit) {
+  void shrink(WorkingNetwork& circuit) {
     constexpr int kPatience = 30;  // attempts per gate
     for (int idle = 0; work_left_ > 0 && idle < kPatience * circuit.gates(); ++idle) {
       const int before = circuit.cost();
@@ -527,7 +527,7 @@ class Search {
   void descend() {
     constexpr int kMaxFailures = 150;
     constexpr int kExpansionWork = 100'000;
-    Circuit circuit = start();
+    WorkingNetwork circuit = start();
     shrink(circuit);
     int lowest = circuit.cost();
     for (int failures = 0; work_left_ > 0 && failures < kMaxFailures; ++failures) {
@@ -535,7 +535,7 @@ class Search {
         work_left_ = 0;  // the output is a pixel
         return;
       }
-      Circuit next = circuit;
+      WorkingNetwork next = circuit;
       work_left_ -= kExpansionWork;
       const PixelOrder order = random_order(random_);
       if (!next.expand(random_.below(next.gates()), order)) continue;
@@ -555,7 +555,7 @@ class Search {
   Random random_;
   Pairs pairs_;
   std::int64_t work_left_;
-  Circuit best_;
+  WorkingNetwork best_;
 };
 
 }  // namespace

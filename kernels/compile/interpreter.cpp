@@ -1,4 +1,4 @@
-// Interpreters of tables on vectors, compiled once for every ISA.
+// Interpreters of tables on vectors, compiled per ISA.
 #include "compile/interpreter.hpp"
 
 #include "compile/interpreters.hpp"

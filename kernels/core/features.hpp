@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 #include "thinbench/isa.hpp"
 
@@ -26,16 +26,23 @@ consteval Features feature(std::string_view name) {
   return Features{1} << i;
 }
 
-/// Those of an ISA.
-[[nodiscard]] Features features_of(Isa isa);
+inline constexpr Features kSse42 = feature("sse4.2") | feature("popcnt");
+inline constexpr Features kAvx2 = kSse42 | feature("avx2") | feature("bmi") | feature("bmi2");
+inline constexpr Features kAvx512 = kAvx2 | feature("avx512f") | feature("avx512cd") |
+                                    feature("avx512dq") | feature("avx512bw") | feature("avx512vl");
+inline constexpr Features kAvx512Icl = kAvx512 | feature("avx512vbmi") | feature("avx512vbmi2") |
+                                       feature("avx512vnni") | feature("avx512bitalg") |
+                                       feature("avx512vpopcntdq") | feature("gfni");
 
-[[nodiscard]] inline bool has(Isa isa, Features features) {
-  return (features & ~features_of(isa)) == 0;
+/// What an ISA needs.
+[[nodiscard]] constexpr Features features_of(Isa isa) {
+  constexpr Features features[] = {0, kSse42, kAvx2, kAvx512, kAvx512Icl, feature("sha3")};
+  return features[static_cast<std::size_t>(isa)];
 }
 
-/// The ISAs that add one of these features to those before them, and the baseline: for kernels that
-/// use no others.
-[[nodiscard]] std::vector<Isa> isas_with(Features used);
+[[nodiscard]] constexpr bool has(Isa isa, Features features) {
+  return (features & ~features_of(isa)) == 0;
+}
 
 /// What processor and operating system support: the latter must save AVX and AVX-512 registers.
 [[nodiscard]] Features detect_features();

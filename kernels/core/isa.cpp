@@ -12,32 +12,15 @@
 
 namespace thinbench {
 
-using detail::feature;
 using detail::Features;
+using detail::features_of;
 using detail::kIsas;
 
 namespace {
 
-struct IsaInfo {
-  std::string_view name;
-  Features features;
-};
-
-constexpr Features kSse42 = feature("sse4.2") | feature("popcnt");
-constexpr Features kAvx2 = kSse42 | feature("avx2") | feature("bmi") | feature("bmi2");
-constexpr Features kAvx512 = kAvx2 | feature("avx512f") | feature("avx512cd") |
-                             feature("avx512dq") | feature("avx512bw") | feature("avx512vl");
-constexpr Features kAvx512Icl = kAvx512 | feature("avx512vbmi") | feature("avx512vbmi2") |
-                                feature("avx512vnni") | feature("avx512bitalg") |
-                                feature("avx512vpopcntdq") | feature("gfni");
-
 /// In the order of the enumeration.
-constexpr auto kInfos = std::to_array<IsaInfo>({{"baseline", 0},
-                                                {"sse4.2", kSse42},
-                                                {"avx2", kAvx2},
-                                                {"avx512", kAvx512},
-                                                {"avx512icl", kAvx512Icl},
-                                                {"neon-sha3", feature("sha3")}});
+constexpr auto kNames = std::to_array<std::string_view>(
+    {"baseline", "sse4.2", "avx2", "avx512", "avx512icl", "neon-sha3"});
 
 std::string names() {
   std::string text;
@@ -45,16 +28,17 @@ std::string names() {
   return text;
 }
 
-const IsaInfo& info_of(Isa isa) {
+/// The ISA itself; throws outside the enumeration.
+Isa checked(Isa isa) {
   const auto number = static_cast<std::size_t>(isa);
-  if (number < kInfos.size()) return kInfos[number];
+  if (number < kNames.size()) return isa;
   throw std::invalid_argument("isa: expected one of " + names() + ", got number " +
                               std::to_string(number));
 }
 
 Features missing(Isa isa) {
   static const Features available = detail::detect_features();
-  return info_of(isa).features & ~available;
+  return features_of(checked(isa)) & ~available;
 }
 
 /// Throws for an unknown name.
@@ -84,27 +68,8 @@ std::optional<Isa> cap_in_use() {
 
 }  // namespace
 
-namespace detail {
-
-Features features_of(Isa isa) {
-  return info_of(isa).features;
-}
-
-std::vector<Isa> isas_with(Features used) {
-  std::vector<Isa> isas;
-  Features before = 0;
-  for (const Isa isa : kIsas) {
-    const Features added = features_of(isa) & ~before;
-    if (isas.empty() || (added & used) != 0) isas.push_back(isa);
-    before |= features_of(isa);
-  }
-  return isas;
-}
-
-}  // namespace detail
-
 std::string_view isa_name(Isa isa) {
-  return info_of(isa).name;
+  return kNames[static_cast<std::size_t>(checked(isa))];
 }
 
 std::optional<Isa> isa_from_name(std::string_view name) {
@@ -139,9 +104,9 @@ std::optional<Isa> isa_cap() {
 }
 
 bool isa_available(Isa isa) {
-  const auto& wanted = info_of(isa);  // throws outside the enumeration
+  const Features wanted = features_of(checked(isa));
   const std::optional<Isa> cap = cap_in_use();
-  const bool allowed = !cap || (wanted.features & ~info_of(*cap).features) == 0;
+  const bool allowed = !cap || detail::has(*cap, wanted);
   const bool compiled = std::find(kIsas.begin(), kIsas.end(), isa) != kIsas.end();
   return allowed && compiled && cpu_supports(isa);
 }

@@ -1,4 +1,4 @@
-// Conversions between byte images and planes. Compiled for every ISA.
+// Conversions between byte images and planes. Compiled per ISA.
 //
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
 // comparisons and mask moves per word. Unpacking is a mask move on AVX-512; elsewhere each byte of
@@ -13,25 +13,23 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
-
 constexpr Index kPrefetchBytes = 4096;
 
-/// Bit i is set where byte i is not zero, for the first kLanes bytes.
+/// Bit i is set where byte i is not zero, for the first kBatchBytes bytes.
 [[gnu::always_inline]] inline std::uint64_t foreground_bits(const std::uint8_t* bytes) {
   return nonzero_bits(ByteBatch::load_unaligned(bytes));
 }
 
 [[gnu::always_inline]] inline std::uint64_t pack_word(const std::uint8_t* bytes) {
   std::uint64_t word = 0;
-  for (Index lane = 0; lane < kWordBits; lane += kLanes) {
+  for (Index lane = 0; lane < kWordBits; lane += kBatchBytes) {
     word |= foreground_bits(bytes + lane) << lane;
   }
   return word;
 }
 
 [[gnu::always_inline]] inline void unpack_word(std::uint64_t word, std::uint8_t* bytes) {
-  for (Index lane = 0; lane < kWordBits; lane += kLanes) {
+  for (Index lane = 0; lane < kWordBits; lane += kBatchBytes) {
     spread_bits(word >> lane).store_unaligned(bytes + lane);
   }
 }
@@ -54,7 +52,7 @@ std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
 bool allows_non_temporal_stores(const ImageView& target) {
   const auto misaligned =
       reinterpret_cast<std::uintptr_t>(target.data) | static_cast<std::uintptr_t>(target.stride);
-  return misaligned % kLanes == 0;
+  return misaligned % kBatchBytes == 0;
 }
 
 void unpack_some(std::uint64_t word, std::uint8_t* bytes, Index count) {
@@ -107,7 +105,7 @@ void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool n
     const std::uint64_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);
     if (non_temporal) {
-      for (Index x = 0; x < words * kWordBits; x += kLanes) {
+      for (Index x = 0; x < words * kWordBits; x += kBatchBytes) {
         store_non_temporal(bytes + x, spread_bits(row[x / kWordBits] >> (x % kWordBits)));
       }
       // Not unpack_tail, which would write again to lines already stored non-temporally.

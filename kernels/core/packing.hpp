@@ -21,7 +21,10 @@ struct PlaneConversion {
   void (*write_non_temporal)(const ConstPlaneView<T>& source, const ImageView& target);
 };
 
-/// Compiled for every ISA: packed bits here, bytes in techniques/.
+/// For packed bits here, for bytes in techniques/.
+template <class T>
+inline constexpr Features kGainsFrom<PlaneConversion<T>> = feature("avx2") | feature("avx512bw");
+
 template <class T>
 [[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa) {
   return kernels_of<PlaneConversion<T>>(isa);

@@ -1,82 +1,57 @@
 #include "core/variant.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <stdexcept>
-
 namespace thinbench::detail {
 namespace {
 
-std::string description(const Execution& execution, bool threaded) {
-  const std::string isa =
-      execution.isa ? std::string(isa_name(*execution.isa)) : "any instruction set";
-  return " at " + isa + (threaded ? " with threads: " : " on one thread: ");
+IsaSet bit_of(Isa isa) {
+  return IsaSet{1} << static_cast<int>(isa);
 }
 
-/// The ISAs of the variants, each once.
-std::string isa_names(std::span<const VariantInfo> variants) {
-  std::vector<Isa> isas;
-  std::string text;
-  for (const VariantInfo& variant : variants) {
-    if (std::find(isas.begin(), isas.end(), variant.isa) != isas.end()) continue;
-    text.append(isas.empty() ? "" : ", ").append(isa_name(variant.isa));
-    isas.push_back(variant.isa);
+/// Found out once, as every call asks.
+IsaSet available_isas() {
+  static const IsaSet available = [] {
+    IsaSet isas = 0;
+    for (const Isa isa : all_isas()) isas |= isa_available(isa) ? bit_of(isa) : 0;
+    return isas;
+  }();
+  return available;
+}
+
+/// Empty if this machine has the ISA and the cap contains it.
+std::string unavailable_reason(Isa isa) {
+  if (const std::string missing = missing_features(isa); !missing.empty()) {
+    return "this machine lacks " + missing;
   }
-  return text;
-}
-
-bool use_threads(std::span<const VariantInfo> variants, Index width, Index height, int threads) {
-  const bool is_small = height <= 0 || width <= (kMinPixelsForThreads - 1) / height;
-  return threads > 1 && !is_small &&
-         std::any_of(variants.begin(), variants.end(),
-                     [](const auto& one) { return one.threaded; });
+  return isa_available(isa) ? "" : "above the ISA cap";
 }
 
 }  // namespace
 
 std::string unavailable_reason(const VariantInfo& variant, Index width) {
-  if (const std::string missing = missing_features(variant.isa); !missing.empty()) {
-    return "this machine lacks " + missing;
-  }
-  if (!isa_available(variant.isa)) return "above the ISA cap";
-  if (width > variant.max_width) {
-    return "wider than this variant's limit of " + std::to_string(variant.max_width) + " pixels";
-  }
-  return {};
+  if (std::string reason = unavailable_reason(variant.isa); !reason.empty()) return reason;
+  if (width <= variant.max_width) return {};
+  return "wider than this variant's limit of " + std::to_string(variant.max_width) + " pixels";
 }
 
-void require_available(const VariantInfo& variant, Index width) {
-  const std::string reason = unavailable_reason(variant, width);
-  if (reason.empty()) return;
-  throw std::invalid_argument(std::string(variant.technique) + " at " +
-                              std::string(isa_name(variant.isa)) + " cannot run: " + reason);
+IsaSet usable_isas(const Execution& execution) {
+  require_threads(execution.threads);
+  const IsaSet available = available_isas();
+  if (!execution.isa) return available;
+  const std::string_view name = isa_name(*execution.isa);  // throws outside the enumeration
+  const IsaSet highest = bit_of(*execution.isa);
+  require((available & highest) != 0, [&] {
+    return "isa: " + std::string(name) + " is not available: " + unavailable_reason(*execution.isa);
+  });
+  return available & (highest | (highest - 1));
 }
 
 Isa checked_isa(const Execution& execution) {
-  require_threads(execution.threads);
-  if (!execution.isa) return best_isa();
-  require_available({.technique = "this function", .isa = *execution.isa}, 0);
-  return *execution.isa;
+  static_cast<void>(usable_isas(execution));
+  return execution.isa.value_or(best_isa());
 }
 
-std::size_t choose_variant(std::string_view operation, std::span<const VariantInfo> variants,
-                           Index width, Index height, const Execution& execution) {
-  require_threads(execution.threads);
-  const bool threaded = use_threads(variants, width, height, execution.threads);
-  std::string reason;
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    const VariantInfo& one = variants[i];
-    if (one.threaded != threaded || one.isa != execution.isa.value_or(one.isa)) continue;
-    if (std::string why = unavailable_reason(one, width); !why.empty()) {
-      reason = std::move(why);
-    } else if (!best || one.priority > variants[*best].priority) {
-      best = i;
-    }
-  }
-  if (best) return *best;
-  if (reason.empty()) reason = "its instruction sets are " + isa_names(variants);
-  throw std::invalid_argument(std::string(operation) + description(execution, threaded) + reason);
+bool use_threads(Index width, Index height, const Execution& execution) {
+  return execution.threads > 1 && height > 0 && width > (kMinPixelsForThreads - 1) / height;
 }
 
 }  // namespace thinbench::detail

@@ -1,6 +1,7 @@
 // Operations, their variants (implementations), and the choice among them, for all families.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -26,7 +27,7 @@ struct VariantInfo {
   Isa isa;
   bool threaded = false;        // uses several threads
   Index max_width = kAnyWidth;  // of images
-  int priority = 0;             // the highest is chosen among the variants that can run
+  int priority = 0;             // the highest is chosen
 };
 
 /// The parameters of a state, already validated: those of its family and these.
@@ -53,21 +54,21 @@ class VariantList {
 
   /// `priority` ranks variants of the same ISA. Every variant of a later ISA ranks above all of an
   /// earlier one.
-  struct Facts {
+  struct Ranking {
     int priority = 0;
     Index max_width = kAnyWidth;
   };
 
-  void add(std::string_view technique, Isa isa, Make make, const Facts& facts,
+  void add(std::string_view technique, Isa isa, Make make, const Ranking& ranking,
            bool threaded = false) {
-    const int priority = static_cast<int>(isa) * kPrioritiesPerIsa + facts.priority;
-    variants_.push_back({{technique, isa, threaded, facts.max_width, priority}, make});
+    const int priority = static_cast<int>(isa) * kPrioritiesPerIsa + ranking.priority;
+    variants_.push_back({{technique, isa, threaded, ranking.max_width, priority}, make});
   }
 
   /// Adds one variant for a single thread and one for several threads.
-  void add_with_threads(std::string_view technique, Isa isa, Make make, const Facts& facts) {
-    add(technique, isa, make, facts);
-    add(technique, isa, make, facts, true);
+  void add_with_threads(std::string_view technique, Isa isa, Make make, const Ranking& ranking) {
+    add(technique, isa, make, ranking);
+    add(technique, isa, make, ranking, true);
   }
 
   [[nodiscard]] std::vector<Variant<State>> take() { return std::move(variants_); }
@@ -87,44 +88,88 @@ struct Operation {
   std::vector<Variant<State>> variants;
 };
 
-/// An object that is never destroyed, as threads may still run when the program ends.
+/// An object that lives until the program ends, as threads may still run then.
 template <class Type>
-[[nodiscard]] const Type& kept(Type object) {
+[[nodiscard]] const Type& never_destroyed(Type object) {
   return *new Type(std::move(object));
 }
 
 /// Why a variant cannot run on this machine for this width; empty if it can.
 [[nodiscard]] std::string unavailable_reason(const VariantInfo& variant, Index width);
 
-/// Rejects a variant that cannot run on this machine for this width.
-void require_available(const VariantInfo& variant, Index width);
+/// A set of ISAs; bit i stands for static_cast<Isa>(i).
+using IsaSet = std::uint32_t;
 
-/// The ISA of functions without variants. Rejects threads out of range and an ISA that is not
-/// available.
+/// Those that this machine has, up to the requested one. Throws std::invalid_argument if that is
+/// none of them, or threads are out of range.
+[[nodiscard]] IsaSet usable_isas(const Execution& execution);
+
+/// The ISA of functions without variants. Throws as usable_isas() does.
 [[nodiscard]] Isa checked_isa(const Execution& execution);
-
-/// The index of the variant with the highest priority that fits; one thread for images below
-/// kMinPixelsForThreads and where no variant uses several. Throws std::invalid_argument for threads
-/// out of range, and if no variant fits, with the reason why the last candidate cannot run or,
-/// without a candidate, the available ISAs.
-[[nodiscard]] std::size_t choose_variant(std::string_view operation,
-                                         std::span<const VariantInfo> variants, Index width,
-                                         Index height, const Execution& execution);
-
-/// The same for a family's list.
-template <class State>
-[[nodiscard]] const Variant<State>& choose_variant(std::string_view operation,
-                                                   const std::vector<Variant<State>>& variants,
-                                                   Index width, Index height,
-                                                   const Execution& execution) {
-  const std::vector<VariantInfo> infos(variants.begin(), variants.end());
-  return variants[choose_variant(operation, infos, width, height, execution)];
+/// Throws as usable_isas() does.
+inline void require_execution(const Execution& execution) {
+  static_cast<void>(usable_isas(execution));
 }
 
-/// The state of a variant for images of this size. Before anything is allocated, throws
+/// Whether threads share an image of this size.
+[[nodiscard]] bool use_threads(Index width, Index height, const Execution& execution);
+
+/// The best variant for images of this size: one with threads, if they share the image and one has
+/// them; the highest priority. Throws as usable_isas() does. The list has a variant of the baseline
+/// for images of any width on one thread.
+template <class State>
+[[nodiscard]] const Variant<State>& choose_variant(const std::vector<Variant<State>>& variants,
+                                                   Index width, Index height,
+                                                   const Execution& execution) {
+  const IsaSet isas = usable_isas(execution);
+  const bool threads = use_threads(width, height, execution);
+  const Variant<State>* best = nullptr;
+  for (const Variant<State>& one : variants) {
+    const bool is_usable = (isas >> static_cast<int>(one.isa) & 1) != 0;
+    if (!is_usable || width > one.max_width || (one.threaded && !threads)) continue;
+    if (best == nullptr ||
+        std::pair(one.threaded, one.priority) > std::pair(best->threaded, best->priority)) {
+      best = &one;
+    }
+  }
+  return *best;
+}
+
+/// The state of a variant that can run, for images of a size and with parameters that its family
+/// takes. States of images without pixels have no memory, whatever the size.
+template <class State>
+[[nodiscard]] std::unique_ptr<State> made(const Variant<State>& variant, Index width, Index height,
+                                          const typename State::Parameters& parameters,
+                                          int threads) {
+  const bool empty = width == 0 || height == 0;
+  return variant.make({parameters, variant.isa, empty ? 0 : width, empty ? 0 : height,
+                       variant.threaded ? threads : 1});
+}
+
+/// The state of the best variant: what public functions use. Before anything is allocated, throws
 /// std::invalid_argument for a size or parameters that the family rejects (State::check), threads
-/// out of range, and a variant that cannot run here. States of images without pixels have no
-/// memory, whatever the size.
+/// out of range, and an ISA that is not available.
+template <class State>
+[[nodiscard]] std::unique_ptr<State> make_best_state(const std::vector<Variant<State>>& variants,
+                                                     Index width, Index height,
+                                                     const typename State::Parameters& parameters,
+                                                     const Execution& execution) {
+  require_size(width, height);
+  State::check(parameters, width, height);
+  return made(choose_variant(variants, width, height, execution), width, height, parameters,
+              execution.threads);
+}
+
+template <class Key, class State>
+[[nodiscard]] std::unique_ptr<State> make_best_state(const Operation<Key, State>& operation,
+                                                     Index width, Index height,
+                                                     const typename State::Parameters& parameters,
+                                                     const Execution& execution) {
+  return make_best_state(operation.variants, width, height, parameters, execution);
+}
+
+/// The state of a given variant, for the study and tests. Throws as make_best_state() does, and for
+/// a variant that cannot run here.
 template <class State>
 [[nodiscard]] std::unique_ptr<State> make_state(const Variant<State>& variant, Index width,
                                                 Index height,
@@ -133,22 +178,12 @@ template <class State>
   require_size(width, height);
   State::check(parameters, width, height);
   require_threads(threads);
-  require_available(variant, width);
-  const bool empty = width == 0 || height == 0;
-  return variant.make({parameters, variant.isa, empty ? 0 : width, empty ? 0 : height,
-                       variant.threaded ? threads : 1});
-}
-
-/// The state of the best variant: what public functions use.
-template <class Key, class State>
-[[nodiscard]] std::unique_ptr<State> make_best_state(const Operation<Key, State>& operation,
-                                                     Index width, Index height,
-                                                     const typename State::Parameters& parameters,
-                                                     const Execution& execution) {
-  require_size(width, height);
-  const Variant<State>& variant =
-      choose_variant(operation.name, operation.variants, width, height, execution);
-  return make_state(variant, width, height, parameters, execution.threads);
+  const std::string reason = unavailable_reason(variant, width);
+  require(reason.empty(), [&] {
+    return std::string(variant.technique) + " at " + std::string(isa_name(variant.isa)) +
+           " cannot run: " + reason;
+  });
+  return made(variant, width, height, parameters, threads);
 }
 
 /// The operation with this key, an enumerator; `name` is for the message.

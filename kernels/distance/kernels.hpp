@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/exported.hpp"
 #include "thinbench/distance.hpp"
 
 namespace thinbench::detail {
@@ -95,7 +96,6 @@ using RootsOfRow = void (*)(const std::int32_t* squares, double spacing, double*
 /// Copies with non-temporal stores.
 using DistanceCopy = void (*)(const void* from, void* to, Index bytes);
 
-/// Compiled for every ISA.
 struct DistanceKernels {
   DistanceEdges edges;
   DistanceColumns columns;
@@ -103,6 +103,9 @@ struct DistanceKernels {
   RootsOfRow roots;
   DistanceCopy copy;
 };
+template <>
+inline constexpr Features kGainsFrom<DistanceKernels> = feature("sse4.2") | feature("avx2") |
+                                                        feature("avx512bw");
 
 /// By the lower envelope, in time linear in the width.
 void envelope_row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* distances,

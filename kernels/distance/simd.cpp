@@ -1,4 +1,4 @@
-// Distances in lanes, compiled for every ISA.
+// Distances in lanes, compiled per ISA.
 //
 // Columns: one scan down and one up, 16 bits per pixel, vectorised by the compiler, in strips that
 // the second-level cache holds; a scan before them finds what they need to know of each other.
@@ -23,9 +23,9 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-constexpr Index kLanes = static_cast<Index>(WideBatch::size);
+constexpr Index kWideLanes = static_cast<Index>(WideBatch::size);
 constexpr Index kBlock = 32;  // pixels
-constexpr Index kRegisters = kBlock / kLanes;
+constexpr Index kRegisters = kBlock / kWideLanes;
 constexpr Index kRunBlock = DistanceRow::kRunBlock;
 constexpr std::uint32_t kFarCost = std::uint32_t{1} << 31;  // more than any distance
 static_assert(kMaxSearch + kBlock <= DistanceRow::kMargin);
@@ -88,19 +88,20 @@ const std::int16_t* square_row(const std::uint16_t* vertical, std::int16_t* squa
 /// block itself, but 0 beyond the end of the row.
 bool search_block(const std::int16_t* squares, const std::int16_t* own, std::int32_t* distances) {
   WideBatch lowest[kRegisters];
-  for (Index i = 0; i < kRegisters; ++i) lowest[i] = WideBatch::load_unaligned(own + i * kLanes);
+  for (Index i = 0; i < kRegisters; ++i)
+    lowest[i] = WideBatch::load_unaligned(own + i * kWideLanes);
   for (int k = 1; k <= kMaxSearch; ++k) {
     const WideBatch square(static_cast<std::int16_t>(k * k));
     WideBatch highest = lowest[0];
     for (Index i = 1; i < kRegisters; ++i) highest = simd::max(highest, lowest[i]);
     if (!simd::any(highest > square)) {
       std::int16_t found[kBlock];
-      for (Index i = 0; i < kRegisters; ++i) lowest[i].store_unaligned(found + i * kLanes);
+      for (Index i = 0; i < kRegisters; ++i) lowest[i].store_unaligned(found + i * kWideLanes);
       std::copy_n(found, kBlock, distances);
       return true;
     }
     for (Index i = 0; i < kRegisters; ++i) {
-      const std::int16_t* const here = squares + i * kLanes;
+      const std::int16_t* const here = squares + i * kWideLanes;
       const WideBatch sides =
           simd::min(WideBatch::load_unaligned(here - k), WideBatch::load_unaligned(here + k));
       lowest[i] = simd::min(lowest[i], sides + square);

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/exported.hpp"
-#include "core/features.hpp"
 #include "core/layout.hpp"
 #include "thinbench/distance.hpp"
 
@@ -162,11 +161,10 @@ void DistanceState::check(const DistanceParameters&, Index width, Index height) 
 }
 
 const DistanceOperation& distance_operation() {
-  static const auto& operation = kept<DistanceOperation>(
+  static const auto& operation = never_destroyed<DistanceOperation>(
       {{}, "squared_distances", "squares of Euclidean distances to the background", [] {
          VariantList<DistanceState> list;
-         for (const Isa isa :
-              isas_with(feature("sse4.2") | feature("avx2") | feature("avx512bw"))) {
+         for (const Isa isa : isas_of<DistanceKernels>()) {
            list.add_with_threads("simd_search", isa, &make_simd, {1});
          }
          return list.take();

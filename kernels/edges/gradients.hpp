@@ -23,7 +23,7 @@ struct Roberts4In16Bits {
   static constexpr int kReach = 1;
   explicit Roberts4In16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const ByteBatch result =
         sum_above(difference(here.at(0), row.at(1)), difference(here.at(1), row.at(0)), threshold);
     here = row;
@@ -31,14 +31,14 @@ struct Roberts4In16Bits {
   }
 
   WideBatch threshold;
-  Columns<1> here = {};
+  RowNeighbours<1> here = {};
 };
 
 struct Roberts9In16Bits {
   static constexpr int kReach = 1;
   explicit Roberts9In16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const ByteBatch result = sum_above(difference(above.at(-1), row.at(1)),
                                        difference(above.at(1), row.at(-1)), threshold);
     above = here;
@@ -47,8 +47,8 @@ struct Roberts9In16Bits {
   }
 
   WideBatch threshold;
-  Columns<1> above = {};
-  Columns<1> here = {};
+  RowNeighbours<1> above = {};
+  RowNeighbours<1> here = {};
 };
 
 /// The average is rounded up, so average(a, b) > t is exactly a + b > 2 t.
@@ -57,7 +57,7 @@ struct Roberts4In8Bits {
   explicit Roberts4In8Bits(int gradient_threshold)
       : threshold(static_cast<std::uint8_t>(gradient_threshold)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const ByteBatch mean =
         average(distance(here.at(0), row.at(1)), distance(here.at(1), row.at(0)));
     here = row;
@@ -65,7 +65,7 @@ struct Roberts4In8Bits {
   }
 
   ByteBatch threshold;
-  Columns<1> here = {};
+  RowNeighbours<1> here = {};
 };
 
 struct Roberts9In8Bits {
@@ -73,7 +73,7 @@ struct Roberts9In8Bits {
   explicit Roberts9In8Bits(int gradient_threshold)
       : threshold(static_cast<std::uint8_t>(gradient_threshold)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const ByteBatch mean =
         average(distance(above.at(-1), row.at(1)), distance(above.at(1), row.at(-1)));
     above = here;
@@ -82,15 +82,15 @@ struct Roberts9In8Bits {
   }
 
   ByteBatch threshold;
-  Columns<1> above = {};
-  Columns<1> here = {};
+  RowNeighbours<1> above = {};
+  RowNeighbours<1> here = {};
 };
 
 struct PrewittIn16Bits {
   static constexpr int kReach = 1;
   explicit PrewittIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 3)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const Halves across = difference(row.at(1), row.at(-1));
     const Halves along = sum(row.at(1), row.at(-1)) + widened(row.at(0));
     const ByteBatch result = sum_above(across_pair + across, along - along_above, threshold);
@@ -118,8 +118,8 @@ struct BlockDifferences {
   Halves d2;
 };
 
-struct Blocks {
-  [[gnu::always_inline]] BlockDifferences advance(const Columns<1>& row) {
+struct BlockGradient {
+  [[gnu::always_inline]] BlockDifferences advance(const RowNeighbours<1>& row) {
     const Halves east = sum(row.at(0), row.at(1));
     const Halves west = sum(row.at(-1), row.at(0));
     const Halves east_block = east_here + east;
@@ -142,26 +142,26 @@ struct SobelIn16Bits {
   static constexpr int kReach = 1;
   explicit SobelIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const BlockDifferences d = blocks.advance(row);
     return pack(excess(maximum(absolute(d.d1), absolute(d.d2)), threshold));
   }
 
   WideBatch threshold;
-  Blocks blocks;
+  BlockGradient blocks;
 };
 
 struct MeroVassyIn16Bits {
   static constexpr int kReach = 1;
   explicit MeroVassyIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 4)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<1>& row) {
     const BlockDifferences d = blocks.advance(row);
     return sum_above(d.d1, d.d2, threshold);
   }
 
   WideBatch threshold;
-  Blocks blocks;
+  BlockGradient blocks;
 };
 
 /// The 5 x 5 window split by its diagonals. Each new row adds to five windows. The weights in D1 of
@@ -172,7 +172,7 @@ struct MeroVassy5x5In16Bits {
   explicit MeroVassy5x5In16Bits(int gradient_threshold)
       : threshold(scaled(gradient_threshold, 12)) {}
 
-  [[gnu::always_inline]] ByteBatch advance(const Columns<2>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<2>& row) {
     const Halves c = widened(row.at(0));
     const Halves inner = sum(row.at(-1), row.at(1)) + c;
     const Halves outer_difference = difference(row.at(2), row.at(-2));

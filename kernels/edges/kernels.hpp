@@ -1,13 +1,13 @@
 // The kernels of the edge operators, in tables by operator.
 #pragma once
 
-#include "core/features.hpp"
+#include "core/exported.hpp"
 #include "core/plane_view.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench::detail {
 
-/// What the kernels use of an ISA.
+/// What edges gain from.
 inline constexpr Features kEdgeFeatures =
     feature("sse4.2") | feature("avx2") | feature("avx512bw") | feature("sha3");
 
@@ -42,10 +42,12 @@ struct EdgeTable {
   }
 };
 
-/// Compiled for every ISA.
 struct EdgeKernels {
   EdgeTable<EdgesToBytes> simd_16bit;
   EdgeTable<EdgesToBytes> simd_8bit;
   EdgeTable<EdgesToBits> to_bits;
 };
+template <>
+inline constexpr Features kGainsFrom<EdgeKernels> = kEdgeFeatures;
+
 }  // namespace thinbench::detail

@@ -16,11 +16,10 @@
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
-inline constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
-
 /// The bits of a batch, a part of a word of the result.
-using Part = std::conditional_t<kLanes == 16, std::uint16_t,
-                                std::conditional_t<kLanes == 32, std::uint32_t, std::uint64_t>>;
+using Part =
+    std::conditional_t<kBatchBytes == 16, std::uint16_t,
+                       std::conditional_t<kBatchBytes == 32, std::uint32_t, std::uint64_t>>;
 inline constexpr bool kFirstPartIsLowest = std::endian::native == std::endian::little;
 
 /// Each band also loads 2 or 4 adjacent rows; 32 rows make that cheap.
@@ -34,7 +33,7 @@ inline constexpr Index kPrefetchColumns = 192;
 
 /// The lanes of a row with their neighbours: `at(k)` is the row k columns further east.
 template <int reach>
-struct Columns {
+struct RowNeighbours {
   ByteBatch lanes[static_cast<std::size_t>(2 * reach + 1)];
 
   [[gnu::always_inline]] ByteBatch& at(int east) { return lanes[reach + east]; }
@@ -44,8 +43,8 @@ struct Columns {
 /// `before` and `beyond`: how many columns of the image lie west and east of the lanes, at most
 /// `reach`. Further neighbours are replicated.
 template <int reach, int before, int beyond>
-[[gnu::always_inline]] inline Columns<reach> load_columns(const std::uint8_t* from) {
-  Columns<reach> row;
+[[gnu::always_inline]] inline RowNeighbours<reach> load_neighbours(const std::uint8_t* from) {
+  RowNeighbours<reach> row;
   row.at(0) = ByteBatch::load_unaligned(from);
   for (int k = 1; k <= reach; ++k) {
     row.at(-k) = k <= before ? ByteBatch::load_unaligned(from - k) : first_repeated(row.at(1 - k));
@@ -77,7 +76,7 @@ struct Brightest {
   ByteBatch triple = latest;
 
   template <int reach>
-  [[gnu::always_inline]] ByteBatch advance(const Columns<reach>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const RowNeighbours<reach>& row) {
     const ByteBatch across = simd::max(simd::max(row.at(-1), row.at(1)), row.at(0));
     const ByteBatch before = triple;
     triple = simd::max(pair, across);
@@ -103,7 +102,7 @@ struct NarrowByteSink {
   ImageView target;
 
   void put(Index x, Index y, ByteBatch edges) const {
-    std::uint8_t lanes[kLanes];
+    std::uint8_t lanes[kBatchBytes];
     nonzero_bytes(edges).store_unaligned(lanes);
     for (Index i = 0; i < target.width; ++i) target.row(y)[x + i] = lanes[i];
   }
@@ -118,8 +117,8 @@ struct BitSink {
 
   [[gnu::always_inline]] void put(Index x, Index y, ByteBatch edges) const {
     const std::uint64_t bits = (nonzero_bits(edges) & mask) >> dropped;
-    constexpr Index last = kWordBits / kLanes - 1;  // part of a word
-    const Index part = (x + dropped) / kLanes;
+    constexpr Index last = kWordBits / kBatchBytes - 1;  // part of a word
+    const Index part = (x + dropped) / kBatchBytes;
     const auto lanes = static_cast<Part>(bits);
     auto* parts = reinterpret_cast<unsigned char*>(target.row(y));
     parts += (kFirstPartIsLowest ? part : part ^ last) * Index{sizeof(Part)};
@@ -135,17 +134,17 @@ void scan_strip(EdgeThresholds thresholds, StripSource source, Index x, EdgeRows
   constexpr int reach = Operator::kReach;
   const ByteBatch brightness_threshold(static_cast<std::uint8_t>(thresholds.brightness_threshold));
   const auto columns = [&](Index y) __attribute__((always_inline)) {
-    return load_columns<reach, before, beyond>(source.row(y));
+    return load_neighbours<reach, before, beyond>(source.row(y));
   };
   Operator gradient(thresholds.gradient_threshold);
   Brightest<reach - 1> brightest;
   for (Index y = rows.first - reach; y < rows.first + reach; ++y) {
-    const Columns<reach> row = columns(y);
+    const RowNeighbours<reach> row = columns(y);
     static_cast<void>(gradient.advance(row));
     static_cast<void>(brightest.advance(row));
   }
   for (Index y = rows.first; y < rows.last; ++y) {
-    const Columns<reach> row = columns(y + reach);
+    const RowNeighbours<reach> row = columns(y + reach);
     __builtin_prefetch(source.row(y + reach) + kPrefetchColumns);
     const ByteBatch steep = gradient.advance(row);
     sink.put(x, y, simd::min(steep, excess(brightest.advance(row), brightness_threshold)));
@@ -163,7 +162,7 @@ void scan_strip_between(EdgeThresholds thresholds, StripSource source, Index x, 
     }
   }
   if constexpr (beyond < Operator::kReach) {
-    if (width - kLanes - x > beyond) {
+    if (width - kBatchBytes - x > beyond) {
       return scan_strip_between<Operator, Sink, before, beyond + 1>(thresholds, source, x, width,
                                                                     rows, sink);
     }
@@ -172,18 +171,19 @@ void scan_strip_between(EdgeThresholds thresholds, StripSource source, Index x, 
   scan_strip<Operator, before, beyond>(thresholds, source, x, rows, sink);
 }
 
-/// Scans all strips of a band; the last strip ends with the row. Requires width >= kLanes.
+/// Scans all strips of a band; the last strip ends with the row. Requires width >= kBatchBytes.
 template <class Operator, class MakeSink>
 void scan_rows(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows,
                const MakeSink& make_sink) {
   const Index width = image.width;
   const StripSource source = {image.data, image.stride, 0, 0, image.height - 1};
-  for (Index x = 0; x < width - kLanes; x += kLanes) {
+  for (Index x = 0; x < width - kBatchBytes; x += kBatchBytes) {
     scan_strip_between<Operator>(thresholds, source, x, width, rows, make_sink(0));
   }
-  const Index tail = width % kLanes;
-  const int dropped = tail == 0 ? 0 : static_cast<int>(kLanes - tail);
-  scan_strip_between<Operator>(thresholds, source, width - kLanes, width, rows, make_sink(dropped));
+  const Index tail = width % kBatchBytes;
+  const int dropped = tail == 0 ? 0 : static_cast<int>(kBatchBytes - tail);
+  scan_strip_between<Operator>(thresholds, source, width - kBatchBytes, width, rows,
+                               make_sink(dropped));
 }
 
 /// For images narrower than a batch: copies the rows, with the border replicated, to a buffer as
@@ -191,7 +191,7 @@ void scan_rows(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows 
 template <class Operator, class Sink>
 void scan_narrow(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows, Sink sink) {
   constexpr Index reach = Operator::kReach;
-  constexpr Index stride = kLanes + 2 * reach;
+  constexpr Index stride = kBatchBytes + 2 * reach;
   std::uint8_t buffer[static_cast<std::size_t>(stride * (kStripRows + 2 * reach))];
   const StripSource all = {image.data, image.stride, 0, 0, image.height - 1};
   std::uint8_t* to = buffer;
@@ -220,7 +220,7 @@ template <class Operator>
 void scan_to_bytes(const EdgeThresholds& thresholds, ConstImageView source, ImageView target,
                    EdgeRows all) {
   for_each_band(all, [&](EdgeRows rows) {
-    if (source.width < kLanes) {
+    if (source.width < kBatchBytes) {
       scan_narrow<Operator>(thresholds, source, rows, NarrowByteSink{target});
     } else {
       scan_rows<Operator>(thresholds, source, rows, [&](int) { return ByteSink{target}; });
@@ -233,7 +233,7 @@ void scan_to_bits(const EdgeThresholds& thresholds, ConstImageView source, BitPl
                   EdgeRows all) {
   constexpr std::uint64_t every_lane = ~std::uint64_t{0};
   for_each_band(all, [&](EdgeRows rows) {
-    if (source.width < kLanes) {
+    if (source.width < kBatchBytes) {
       scan_narrow<Operator>(thresholds, source, rows,
                             BitSink{target, 0, every_lane >> (kWordBits - source.width)});
     } else {

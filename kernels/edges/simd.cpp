@@ -1,4 +1,4 @@
-// Edges on byte lanes, compiled for every ISA: gradient, brightest neighbour and decision in one
+// Edges on byte lanes, compiled per ISA: gradient, brightest neighbour and decision in one
 // scan, with 1 byte read and 1 byte (or bit) written per pixel.
 //
 // simd_16bit: magnitudes in 16 bits. Operations per batch of bytes for Sobel: 4 interleavings, 4

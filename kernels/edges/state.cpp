@@ -1,7 +1,6 @@
 #include "edges/state.hpp"
 
 #include "core/exported.hpp"
-#include "core/features.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -59,7 +58,7 @@ namespace {
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
   constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;
   EdgeVariants list;
-  for (const Isa isa : isas_with(kEdgeFeatures)) {
+  for (const Isa isa : isas_of<EdgeKernels>()) {
     list.add("simd_16bit", isa, make_16bit, {1});
     if (kernels_of<EdgeKernels>(isa).simd_8bit[op] != nullptr) {
       list.add_with_threads("simd_8bit", isa, &make<EdgeKernels, &EdgeKernels::simd_8bit>, {2});
@@ -73,7 +72,7 @@ std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
 }  // namespace
 
 std::span<const EdgeOperation> edge_operations() {
-  static const auto& all = kept([] {
+  static const auto& all = never_destroyed([] {
     std::vector<EdgeOperation> operations;
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
       operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});

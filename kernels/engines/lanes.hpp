@@ -1,6 +1,7 @@
 // Kernels for many small images: one image per lane of a register.
 #pragma once
 
+#include "core/exported.hpp"
 #include "core/plane_view.hpp"
 #include "scan/bound_rule.hpp"
 #include "thinbench/image_view.hpp"
@@ -40,5 +41,7 @@ using LaneKernel = int (*)(const LaneJob& job, Index first, Index last, void* sc
 struct LaneKernels {
   LaneKernel thin;
 };
+template <>
+inline constexpr Features kGainsFrom<LaneKernels> = feature("avx2") | feature("avx512bw");
 
 }  // namespace thinbench::detail

@@ -107,7 +107,7 @@ void write_planes(const BandTeam& team, const Planes<T>& planes, const PackedVie
   });
 }
 
-/// Implements load() and store(); derived classes implement compute() with the same threads.
+/// Converts to planes and back; derived classes implement compute() with the same threads.
 template <class T>
 struct PlaneState : ThinningState {
   explicit PlaneState(const ThinningSetting& setting)
@@ -118,20 +118,13 @@ struct PlaneState : ThinningState {
         team(bands.threads()),
         complemented(setting.complemented) {}
 
-  void load(const ConstImageView& view) override { load_planes(view); }
-  void load(const ConstPackedView& view) override { load_planes(view); }
-  int thin() final {
-    const int iterations = compute();
-    if (complemented) complement(planes.result.view());
-    return iterations;
-  }
-  void store(const ImageView& view) const override { write_planes(bands, planes, view); }
-  void store(const PackedView& view) const override { write_planes(bands, planes, view); }
+  int run(const ConstImageView& from, const ImageView& to) final { return run_planes(from, to); }
+  int run(const ConstPackedView& from, const PackedView& to) final { return run_planes(from, to); }
 
-  /// Writes all of the result plane; returns what thin() does.
+  /// Thins source() into the result plane, all of which it writes; returns the number of
+  /// iterations.
   virtual int compute() = 0;
 
-  /// The loaded image.
   [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
 
   Planes<T> planes;
@@ -140,10 +133,14 @@ struct PlaneState : ThinningState {
   bool complemented;
 
  private:
-  template <class View>
-  void load_planes(const View& view) {
-    read_planes(bands, view, planes);
+  template <class Source, class Destination>
+  int run_planes(const Source& from, const Destination& to) {
+    read_planes(bands, from, planes);
     if (complemented) complement(planes.source.view());
+    const int iterations = compute();
+    if (complemented) complement(planes.result.view());
+    write_planes(bands, planes, to);
+    return iterations;
   }
 };
 

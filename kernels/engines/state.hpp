@@ -20,9 +20,7 @@ struct ThinningParameters {
 
 using ThinningSetting = Setting<ThinningParameters>;
 
-/// Owns all memory for thinning images of one size. Its three steps can be timed separately: load()
-/// packs the image into the variant's representation; thin() does not modify the packed image, so
-/// it can be repeated; store() writes the result. Images are bytes or packed. Not thread-safe.
+/// Owns all memory for thinning images of one size. Not thread-safe.
 class ThinningState {
  public:
   using Parameters = ThinningParameters;
@@ -36,28 +34,10 @@ class ThinningState {
   ThinningState(const ThinningState&) = delete;
   ThinningState& operator=(const ThinningState&) = delete;
 
-  virtual void load(const ConstImageView& source) = 0;
-  virtual void load(const ConstPackedView& source) = 0;
-  /// Returns the number of iterations, including the last one, which changed nothing.
-  virtual int thin() = 0;
-  virtual void store(const ImageView& destination) const = 0;
-  virtual void store(const PackedView& destination) const = 0;
-  /// Does all three steps. A later store() is not supported.
-  virtual int run(const ConstImageView& source, const ImageView& destination) {
-    return run_steps(source, destination);
-  }
-  virtual int run(const ConstPackedView& source, const PackedView& destination) {
-    return run_steps(source, destination);
-  }
-
- private:
-  template <class Source, class Destination>
-  int run_steps(const Source& source, const Destination& destination) {
-    load(source);
-    const int iterations = thin();
-    store(destination);
-    return iterations;
-  }
+  /// Thins bytes or packed bits. Both views have the size of the setting. Returns the number of
+  /// iterations, including the last one, which changed nothing.
+  virtual int run(const ConstImageView& source, const ImageView& destination) = 0;
+  virtual int run(const ConstPackedView& source, const PackedView& destination) = 0;
 };
 
 using ThinningVariant = Variant<ThinningState>;

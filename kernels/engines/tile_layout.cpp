@@ -1,4 +1,4 @@
-// Converts rows of packed pixels to tiles and back. Compiled once for every ISA.
+// Converts rows of packed pixels to tiles and back. Compiled per ISA.
 //
 // AVX-512 transposes 16 tiles in registers, every second row at a time: 16 loads, 64 shuffles and
 // 16 stores for 8,192 pixels. Other ISAs, and the remainder at the edges, move one 64-bit word of
@@ -58,15 +58,15 @@ void load_transposed(const TileGridView& grid, const View& rows, Index column, I
   Lanes32 any(0);
   for (Index number = 0; number < kTileRegisters; ++number) {
     Square square;
-    for (Index lane = 0; lane < kLanes; ++lane) {
+    for (Index lane = 0; lane < kTileLanes; ++lane) {
       const std::uint64_t* row =
           rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
       square.rows[lane] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
       any = any | square.rows[lane];
     }
     const Square registers = transposed(square);
-    for (Index tile = 0; tile < kLanes; ++tile) {
-      registers.rows[tile].store_aligned(tiles + tile * kTileRows + number * kLanes);
+    for (Index tile = 0; tile < kTileLanes; ++tile) {
+      registers.rows[tile].store_aligned(tiles + tile * kTileRows + number * kTileLanes);
     }
   }
   mark_occupied(grid, tile_row, column, nonzero_lanes(any));
@@ -77,11 +77,11 @@ void store_transposed(const TileGridView& grid, const View& rows, Index column, 
   const std::uint32_t* const tiles = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
   for (Index number = 0; number < kTileRegisters; ++number) {
     Square square;
-    for (Index tile = 0; tile < kLanes; ++tile) {
-      square.rows[tile] = Lanes32::load_aligned(tiles + tile * kTileRows + number * kLanes);
+    for (Index tile = 0; tile < kTileLanes; ++tile) {
+      square.rows[tile] = Lanes32::load_aligned(tiles + tile * kTileRows + number * kTileLanes);
     }
     const Square pixels = transposed(square);
-    for (Index lane = 0; lane < kLanes; ++lane) {
+    for (Index lane = 0; lane < kTileLanes; ++lane) {
       std::uint64_t* row = rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
       reinterpreted<WordBatch>(pixels.rows[lane]).store_unaligned(row);
     }
@@ -93,7 +93,7 @@ template <class View>
 Index transposed_columns(const View& rows) {
   if (rows.height < kTileRows) return 0;
   const Index columns = (rows.width + kTileColumns - 1) / kTileColumns;
-  return columns / kLanes * kLanes;
+  return columns / kTileLanes * kTileLanes;
 }
 
 /// Copies row `y`, or background beyond the last row, to edges of the tiles.
@@ -127,7 +127,7 @@ void load_rows(const TileGridView& grid, const ConstBitPlaneView& rows, Index ti
   Index column = 0;
   if constexpr (kHasTranspose) {
     const Index end = transposed_columns(rows);
-    for (; column < end; column += kLanes) load_transposed(grid, rows, column, tile_row);
+    for (; column < end; column += kTileLanes) load_transposed(grid, rows, column, tile_row);
   }
   for (; column * kTileColumns < rows.width; column += kColumnsPerWord) {
     load_two_tiles(grid, rows, column, tile_row);
@@ -145,7 +145,7 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
   Index column = 0;
   if constexpr (kHasTranspose) {
     const Index end = transposed_columns(rows);
-    for (; column < end; column += kLanes) store_transposed(grid, rows, column, tile_row);
+    for (; column < end; column += kTileLanes) store_transposed(grid, rows, column, tile_row);
   }
   for (; column * kTileColumns < rows.width; column += kColumnsPerWord) {
     store_two_tiles(grid, rows, column, tile_row);

@@ -1,5 +1,5 @@
 // Sub-iterations on tiles of packed pixels. Visits only tiles in which, or within one pixel
-// of which, something changed since the same sub-iteration last ran. Compiled once for every ISA.
+// of which, something changed since the same sub-iteration last ran. Compiled per ISA.
 //
 // Cost per tile at AVX-512: 12 loads, 6 of them of single words, 6 permutations, 8 funnel shifts,
 // twice the rule's gates, 2 gates and 7 mask instructions for what changed, 2 stores of pixels and
@@ -24,8 +24,8 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-using Rows = Lanes32;                                               // one row of a tile per lane
-static_assert(kTileRegisters == kScannedRegisters || kLanes == 4);  // then there are no scans
+using RowLanes = Lanes32;  // one row of a tile per lane
+static_assert(kTileRegisters == kScannedRegisters || kTileLanes == 4);  // then there are no scans
 
 /// `body.template operator()<k>()` for all registers of a tile, unrolled.
 template <class Body>
@@ -38,7 +38,7 @@ template <class Body>
 
 /// A tile in registers.
 struct Tile {
-  Rows rows[kTileRegisters];
+  RowLanes rows[kTileRegisters];
 };
 
 /// Row access for rules: row(y) is register y of a tile; the registers above the first and below
@@ -56,23 +56,23 @@ struct RowsOfTile {
         below{edges.top[0] + tile, edges.top[1] + tile} {}
 
   /// Register `y` of the tile, or of the one `column` tiles to the east.
-  [[gnu::always_inline]] Rows load(Index column, Index y) const {
-    const auto own = [&](Index number) { return words + column * kTileRows + number * kLanes; };
+  [[gnu::always_inline]] RowLanes load(Index column, Index y) const {
+    const auto own = [&](Index number) { return words + column * kTileRows + number * kTileLanes; };
     if (y < 0) return previous_lanes(own(y + kTileRegisters), above[-1 - y][column]);
     if (y >= kTileRegisters)
       return next_lanes(own(y - kTileRegisters), below[y - kTileRegisters][column]);
-    return Rows::load_aligned(own(y));
+    return RowLanes::load_aligned(own(y));
   }
 
-  [[gnu::always_inline]] RowTriple<Rows> row(Index y) const {
-    const Rows centre = load(0, y);
+  [[gnu::always_inline]] RowTriple<RowLanes> row(Index y) const {
+    const RowLanes centre = load(0, y);
     return {west_neighbour<1>(centre, load(-1, y)), centre, east_neighbour<1>(centre, load(1, y))};
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowTriple<Rows> features(Index y, const RowTriple<Rows>& above_y,
-                                                  const RowTriple<Rows>& here,
-                                                  const RowTriple<Rows>& below_y) const {
+  [[gnu::always_inline]] RowTriple<RowLanes> features(Index y, const RowTriple<RowLanes>& above_y,
+                                                      const RowTriple<RowLanes>& here,
+                                                      const RowTriple<RowLanes>& below_y) const {
     return feature_triple<Rule>(above_y, here, below_y, west_neighbour<2>(here.centre, load(-1, y)),
                                 east_neighbour<2>(here.centre, load(1, y)));
   }
@@ -95,7 +95,7 @@ struct ScanVisitor {
   const BoundScan& scan;
 
   [[gnu::always_inline]] void operator()(const RowsOfTile& rows, Tile& next) const {
-    alignas(sizeof(Rows)) std::uint32_t target[kTileRegisters][kLanes];
+    alignas(sizeof(RowLanes)) std::uint32_t target[kTileRegisters][kTileLanes];
     scan({.source = rows.words,
           .source_stride = 0,
           .target = target,
@@ -105,7 +105,7 @@ struct ScanVisitor {
           .fixed = nullptr,
           .above = rows.above[0],
           .below = rows.below[0]});
-    for_registers([&](auto y) { next.rows[y] = Rows::load_aligned(target[y]); });
+    for_registers([&](auto y) { next.rows[y] = RowLanes::load_aligned(target[y]); });
   }
 };
 
@@ -121,12 +121,13 @@ struct ScanVisitor {
                                                  Index tile, const Tile& next) {
   const std::uint32_t* const words = grid.words + tile * kTileRows;
   Tile changed;
-  for_registers(
-      [&](auto y) { changed.rows[y] = Rows::load_aligned(words + y * kLanes) ^ next.rows[y]; });
-  Rows any = changed.rows[0];
+  for_registers([&](auto y) {
+    changed.rows[y] = RowLanes::load_aligned(words + y * kTileLanes) ^ next.rows[y];
+  });
+  RowLanes any = changed.rows[0];
   for_registers([&](auto y) { any = any | changed.rows[y]; });
-  const Rows& first = changed.rows[0];
-  const Rows& last = changed.rows[kTileRegisters - 1];
+  const RowLanes& first = changed.rows[0];
+  const RowLanes& last = changed.rows[kTileRegisters - 1];
   if constexpr (kRegisterHoldsRow) {
     store_lane_bits(entry, first, last, any);
   } else {
@@ -155,20 +156,13 @@ inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
           bit(-y, kTileRows) | bit(grid.height - 1 - y, kTileRows)};
 }
 
-/// Visits a tile with border pixels, which it restores. Out of line because such tiles are few.
-template <class Visitor>
-[[gnu::noinline]] void visit_border_tile(const Visitor& visitor, const TileGridView& grid,
-                                         const TileEdges& edges, Index tile,
-                                         std::uint32_t* new_words) {
-  const RowsOfTile rows(edges, grid.words, tile);
-  Tile next;
-  visitor(rows, next);
-  for_registers([&](auto y) { next.rows[y].store_aligned(new_words + y * kLanes); });
+/// Restores the border pixels of a tile. `words` are its new pixels.
+[[gnu::noinline]] void restore_border(const TileGridView& grid, Index tile, std::uint32_t* words) {
   const BorderOfTile border = border_of(grid, tile);
   for (Index y = 0; y < kTileRows; ++y) {
     const std::uint32_t fixed = (border.rows >> y & 1) != 0 ? ~std::uint32_t{0} : border.columns;
     const Index word = kTileShape.word_of_row(y);
-    new_words[word] |= rows.words[word] & fixed;
+    words[word] |= grid.words[tile * kTileRows + word] & fixed;
   }
 }
 
@@ -177,7 +171,7 @@ template <std::size_t depth>
 [[gnu::always_inline]] inline void commit(const TileGridView& grid, const TileEdges& edges,
                                           Index tile, const Tile& next) {
   std::uint32_t* const words = grid.words + tile * kTileRows;
-  for_registers([&](auto y) { next.rows[y].store_aligned(words + y * kLanes); });
+  for_registers([&](auto y) { next.rows[y].store_aligned(words + y * kTileLanes); });
   for (std::size_t i = 0; i < depth; ++i) {
     const auto y = static_cast<Index>(i);
     edges.top[i][tile] = words[kTileShape.word_of_row(y)];
@@ -190,12 +184,13 @@ template <bool has_border, class Visitor>
 [[gnu::always_inline]] inline void visit_tile(const Visitor& visitor, const TileGridView& grid,
                                               const TileEdges& edges, std::uint32_t number,
                                               Tile& next) {
+  const Index tile = has_border ? number & ~kBorderTile : number;
+  visitor(RowsOfTile(edges, grid.words, tile), next);
   if (has_border && (number & kBorderTile) != 0) {
-    alignas(sizeof(Rows)) std::uint32_t words[kTileRows];
-    visit_border_tile(visitor, grid, edges, number ^ kBorderTile, words);
-    for_registers([&](auto y) { next.rows[y] = Rows::load_aligned(words + y * kLanes); });
-  } else {
-    visitor(RowsOfTile(edges, grid.words, number), next);
+    alignas(sizeof(RowLanes)) std::uint32_t words[kTileRows];
+    for_registers([&](auto y) { next.rows[y].store_aligned(words + y * kTileLanes); });
+    restore_border(grid, tile, words);
+    for_registers([&](auto y) { next.rows[y] = RowLanes::load_aligned(words + y * kTileLanes); });
   }
 }
 
@@ -238,7 +233,8 @@ template <std::size_t depth, bool has_border, class Visitor>
   Index pending_tile = list.tiles[0] & ~kBorderTile;
   Tile pending;  // at first the old pixels, so that the loop needs no condition
   for_registers([&](auto y) {
-    pending.rows[y] = Rows::load_aligned(grid.words + pending_tile * kTileRows + y * kLanes);
+    pending.rows[y] =
+        RowLanes::load_aligned(grid.words + pending_tile * kTileRows + y * kTileLanes);
   });
   std::uint64_t* changes = list.changes;
   const std::uint32_t* const last = list.tiles + list.count;
@@ -340,11 +336,11 @@ ActiveCount find_active(const TileGridView& shared_grid, const TileActivation& s
                                                 std::uint64_t tiles) {
   if constexpr (kHasCompress) {
     Lanes32 numbers = lane_numbers() + Lanes32(first);
-    for (; tiles != 0; tiles >>= kLanes) {
-      const auto selected = static_cast<std::uint32_t>(tiles & ((1U << kLanes) - 1));
+    for (; tiles != 0; tiles >>= kTileLanes) {
+      const auto selected = static_cast<std::uint32_t>(tiles & ((1U << kTileLanes) - 1));
       store_compressed(list, numbers, selected);
       list += __builtin_popcount(selected);
-      numbers = numbers + Lanes32(static_cast<std::uint32_t>(kLanes));
+      numbers = numbers + Lanes32(static_cast<std::uint32_t>(kTileLanes));
     }
   } else {
     for (std::uint64_t rest = tiles; rest != 0; rest &= rest - 1) {
@@ -430,7 +426,7 @@ template <class Lanes>
     return ByteBatch::load_unaligned(from + tile);
   };
   const ByteBatch lowest(std::uint8_t{1});
-  const ByteBatch highest(static_cast<std::uint8_t>(1U << (kLanes - 1)));
+  const ByteBatch highest(static_cast<std::uint8_t>(1U << (kTileLanes - 1)));
   const ByteBatch west = load(lanes.west);
   const ByteBatch east = load(lanes.east);
   const ByteBatch top = load(lanes.first) & lowest;

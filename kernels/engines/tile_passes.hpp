@@ -3,6 +3,7 @@
 // and records what changed.
 #pragma once
 
+#include "core/exported.hpp"
 #include "engines/tile_grid.hpp"
 
 namespace thinbench::detail {
@@ -70,6 +71,8 @@ struct TileLayout {
   void (*load_rows)(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row);
   void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
 };
+template <>
+inline constexpr Features kGainsFrom<TileLayout> = feature("avx2") | feature("avx512bw");
 
 /// The tile engine for one ISA.
 struct TileKernels {

@@ -7,13 +7,13 @@
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
-inline constexpr Index kLanes = static_cast<Index>(Lanes32::size);  // a row of a tile in each
+inline constexpr Index kTileLanes = static_cast<Index>(Lanes32::size);  // a row of a tile in each
 
 /// Of 32 rows, a quarter more pixels are visited than of 16, with fewer visits. That pays only in
 /// registers of 16 lanes: docs/experiments.md#tiles.
-inline constexpr Index kTileRows = kLanes == 16 ? 32 : 16;
-inline constexpr Index kTileRegisters = kTileRows / kLanes;
-inline constexpr TileShape kTileShape = {kTileRows, kLanes};
+inline constexpr Index kTileRows = kTileLanes == 16 ? 32 : 16;
+inline constexpr Index kTileRegisters = kTileRows / kTileLanes;
+inline constexpr TileShape kTileShape = {kTileRows, kTileLanes};
 
 }  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail

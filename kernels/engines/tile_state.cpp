@@ -47,50 +47,6 @@ TileState::TileState(TileEngine engine, const ThinningSetting& setting)
   while (rows_.size() < bands) rows_.emplace_back(setting.width, shape.rows);
 }
 
-template <class View>
-void TileState::load_planes(const View& source) {
-  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
-  read_planes(team_, source, *planes_);
-  if (setting_.complemented) complement(planes_->source.view());
-}
-
-void TileState::load(const ConstImageView& source) {
-  load_planes(source);
-}
-
-void TileState::load(const ConstPackedView& source) {
-  load_planes(source);
-}
-
-void TileState::store(const ImageView& destination) const {
-  write_planes(team_, planes_.value(), destination);
-}
-
-void TileState::store(const PackedView& destination) const {
-  write_planes(team_, planes_.value(), destination);
-}
-
-int TileState::thin() {
-  const TileGridView& grid = workspace_.grid();
-  const TileLayout& layout = *engine_.layout;
-  const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
-  const BitPlaneView to = planes_.value().result.view();
-  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
-    for (Index row = first; row < last; ++row) {
-      layout.load_rows(grid, rows_of_tiles(from, grid, row), row);
-    }
-  });
-  const int iterations =
-      TileIteration(engine_, workspace_, team_.threads()).run(setting_.max_iterations);
-  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
-    for (Index row = first; row < last; ++row) {
-      layout.store_rows(grid, rows_of_tiles(to, grid, row), row);
-    }
-  });
-  if (setting_.complemented) complement(to);
-  return iterations;
-}
-
 BitPlaneView TileState::buffer(std::size_t band, Index tile_row) {
   BitPlaneView rows = rows_[band].view();
   const Index first = tile_row * workspace_.grid().shape.rows;
@@ -150,10 +106,10 @@ int TileState::run(const ConstPackedView& source, const PackedView& destination)
 
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
   const TileLayout& layout = kernels_of<TileLayout>(setting.isa);
-  if (!TileGrid::fits(setting.width, setting.height, layout.shape)) return nullptr;
+  if (!TileGrid::fits(setting.width, setting.height, layout.shape)) return make_words(setting);
   BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
   for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
-    if (rule.tile_passes[i] == nullptr) return nullptr;
+    if (rule.tile_passes[i] == nullptr) return make_words(setting);
   }
   return std::make_unique<TileState>(
       TileEngine{std::move(rule), &kernels_of<TileKernels>(setting.isa), &layout}, setting);

@@ -1,7 +1,6 @@
 // The state of the tile engine.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engines/iterate_tiles.hpp"
@@ -17,17 +16,7 @@ class TileState final : public ThinningState {
   int run(const ConstImageView& source, const ImageView& destination) override;
   int run(const ConstPackedView& source, const PackedView& destination) override;
 
-  /// The separate steps need planes, which the first load() allocates. run() does not, and so takes
-  /// a third of the memory.
-  void load(const ConstImageView& source) override;
-  void load(const ConstPackedView& source) override;
-  int thin() override;
-  void store(const ImageView& destination) const override;
-  void store(const PackedView& destination) const override;
-
  private:
-  template <class View>
-  void load_planes(const View& source);
   /// Thins rows of tiles that `read(source_rows, rows)` fills and `write(tile_row, rows)` takes.
   /// One thread runs the first sub-iterations on rows of tiles while they are in a near cache. That
   /// gains nothing if the image is there, too.
@@ -45,7 +34,6 @@ class TileState final : public ThinningState {
   const PlaneConversion<std::uint64_t>& conversion_;
   TileWorkspace workspace_;
   std::vector<BitPlane> rows_;  // one row of tiles per thread
-  std::optional<Planes<std::uint64_t>> planes_;
 };
 
 }  // namespace thinbench::detail

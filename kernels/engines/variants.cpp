@@ -1,18 +1,10 @@
 #include "engines/variants.hpp"
 
 #include "compile/machine_code.hpp"
+#include "core/exported.hpp"
+#include "engines/tile_passes.hpp"
 
 namespace thinbench::detail {
-namespace {
-
-/// Tiles need compiled circuits or machine code. If the system denies machine code although it did
-/// not before, or an image has more tiles than there are numbers, words compute the same.
-std::unique_ptr<ThinningState> make_tiles_or_words(const ThinningSetting& setting) {
-  auto state = make_tiles(setting);
-  return state != nullptr ? std::move(state) : make_words(setting);
-}
-
-}  // namespace
 
 bool has_fixed_pixels(const ThinningParameters& parameters) {
   return parameters.border == Border::keep || parameters.rule->adds_pixels();
@@ -20,10 +12,10 @@ bool has_fixed_pixels(const ThinningParameters& parameters) {
 
 std::vector<ThinningVariant> parallel_variants(bool built_in, bool adds_pixels) {
   ThinningVariants list;
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<TileKernels>()) {
     if (!built_in) list.add_with_threads("simd_bitpacked", isa, &make_words, {kWordsPriority});
     if (built_in || (!adds_pixels && MachineCode::is_available(isa))) {
-      list.add_with_threads("simd_bitpacked_tiles", isa, &make_tiles_or_words, {kTilesPriority});
+      list.add_with_threads("simd_bitpacked_tiles", isa, &make_tiles, {kTilesPriority});
     }
     if (holds_row(isa)) {
       list.add("simd_bitpacked_row", isa, &make_rows, {kRowPriority, kBlockWords * kWordBits});

@@ -20,7 +20,8 @@ namespace thinbench::detail {
 [[nodiscard]] std::unique_ptr<ThinningState> make_words(BoundRule rule,
                                                         const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_rows(const ThinningSetting& setting);
-/// nullptr if the rule has no passes on tiles, or the image more than 2^30 tiles.
+/// Tiles need compiled circuits or machine code. If the system denies machine code although it did
+/// not before, or an image has more tiles than there are numbers, words compute the same.
 [[nodiscard]] std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting);
 
 /// Priorities within an ISA: the highest is the fastest technique. Those below kWordsPriority are

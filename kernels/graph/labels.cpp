@@ -84,7 +84,7 @@ LabelGraph graph_of_labels(ConstLabelView skeletons, const Execution& execution)
 }
 
 void distances_of_labels(ConstLabelView labels, View<double> distances, const Spacing& spacing,
-                     const Execution& execution) {
+                         const Execution& execution) {
   detail::check(detail::memory_of("labels", labels), detail::memory_of("distances", distances),
                 detail::InPlace::rejected);
   detail::require_label_size(labels.width, labels.height);

@@ -10,7 +10,7 @@ namespace thinbench::detail {
 using SplitPixels = void (*)(const ConstBitPlaneView& image, const BitPlaneView& nodes,
                              const BitPlaneView& lines, Index first, Index last);
 
-/// Compiled for every ISA.
+/// Compiled per ISA.
 struct GraphKernels {
   SplitPixels split;
 };

@@ -1,5 +1,4 @@
-// Node and line pixels on vectors of words, compiled for every ISA: bitpacked.cpp on more pixels at
-// a time.
+// Node and line pixels on vectors of words. Compiled per ISA.
 #include "core/exported.hpp"
 #include "graph/node_pixels.hpp"
 #include "simd/vector.hpp"

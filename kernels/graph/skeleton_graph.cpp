@@ -28,8 +28,7 @@ Graph skeleton_graph(ConstImageView skeleton, const Execution& execution) {
   detail::check_views(skeleton, skeleton, detail::InPlace::allowed);
   const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
                                              skeleton.height, {}, execution);
-  state->load(skeleton);
-  return std::move(state->compute());
+  return std::move(state->run(skeleton));
 }
 
 Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
@@ -39,8 +38,7 @@ Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruni
   const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
                                              skeleton.height, {}, execution);
   if (skeleton.width == 0 || skeleton.height == 0) return {};  // such rows need no memory
-  state->load(skeleton);
-  return state->prune(pruning, destination);
+  return state->prune(skeleton, pruning, destination);
 }
 
 }  // namespace thinbench

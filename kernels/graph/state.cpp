@@ -23,34 +23,36 @@ GraphState::GraphState(const GraphKernels& kernels, const GraphSetting& setting)
       lines_(setting.width, setting.height),
       walker_(setting.width, setting.height) {}
 
-void GraphState::load(const ConstImageView& source) {
+Graph& GraphState::run(const ConstImageView& source) {
   conversion_.read(source, image_.view());
+  return walk();
 }
 
-Graph& GraphState::compute() {
+Graph& GraphState::walk() {
   team_.for_ranges(image_.view().height, [&](Index first, Index last) {
     kernels_.split(image_.view(), nodes_.view(), lines_.view(), first, last);
   });
   return walker_.walk(image_.view(), nodes_.view(), lines_.view());
 }
 
-Graph GraphState::prune(const Pruning& pruning, const ImageView& destination) {
-  const Graph& whole = compute();
+Graph GraphState::prune(const ConstImageView& source, const Pruning& pruning,
+                        const ImageView& destination) {
+  const Graph& whole = run(source);
   Pruner(image_.view(), nodes_.view(), walker_.node_at(), whole, pruning).run();
-  Graph pruned = std::move(compute());
+  Graph pruned = std::move(walk());
   conversion_.write(image_.view(), destination);
   return pruned;
 }
 
 const GraphOperation& graph_operation() {
-  static const auto& operation =
-      kept<GraphOperation>({{}, "skeleton_graph", "ends, junctions and the lines between them", [] {
-                              VariantList<GraphState> list;
-                              for (const Isa isa : all_isas()) {
-                                list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
-                              }
-                              return list.take();
-                            }()});
+  static const auto& operation = never_destroyed<GraphOperation>(
+      {{}, "skeleton_graph", "ends, junctions and the lines between them", [] {
+         VariantList<GraphState> list;
+         for (const Isa isa : isas_of<GraphKernels>()) {
+           list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
+         }
+         return list.take();
+       }()});
   return operation;
 }
 

@@ -29,13 +29,14 @@ class GraphState {
 
   GraphState(const GraphKernels& kernels, const GraphSetting& setting);
 
-  void load(const ConstImageView& source);
-  /// Valid until the next call; may be moved from.
-  Graph& compute();
+  /// May be moved from; else valid until the next call.
+  Graph& run(const ConstImageView& source);
   /// Writes the pruned image, after all that may need memory; returns its graph.
-  Graph prune(const Pruning& pruning, const ImageView& destination);
+  Graph prune(const ConstImageView& source, const Pruning& pruning, const ImageView& destination);
 
  private:
+  Graph& walk();
+
   GraphKernels kernels_;
   const PlaneConversion<std::uint64_t>& conversion_;
   ThreadTeam team_;

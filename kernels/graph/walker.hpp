@@ -22,10 +22,10 @@ class GraphWalker {
  public:
   GraphWalker(Index width, Index height);
 
-  /// `lines` becomes empty. The planes have the size given before. Valid until the next call;
-  /// may be moved from.
+  /// `lines` becomes empty. The planes have the size given before. Valid until the next call; may
+  /// be moved from.
   Graph& walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
-                    const BitPlaneView& lines);
+              const BitPlaneView& lines);
 
   [[nodiscard]] NodeMap node_at() { return {node_at_.get(), width_}; }
 

@@ -38,7 +38,7 @@ void detail::check_distances(const View<const double>& distances) {
 
 std::vector<EdgeWidths> edge_widths(const Graph& graph, View<const double> distances,
                                     const Execution& execution) {
-  static_cast<void>(detail::checked_isa(execution));
+  detail::require_execution(execution);
   detail::check_distances(distances);
   std::vector<EdgeWidths> found;
   std::vector<double> widths;

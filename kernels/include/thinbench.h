@@ -1,15 +1,30 @@
-/* thinbench for C: thinning, edges, objects and holes of images.
+/* thinbench for C99: thinning, edges, distances, objects, holes and graphs of images.
  *
- * Functions return a status. After THINBENCH_INVALID_ARGUMENT nothing is written, and
- * thinbench_last_error() has one line that names the invalid value. Names ("guo_hall", "sobel",
- * "avx2") are those of the C++ interface and of the command-line program. No function throws, so
+ * What can fail returns a status. After THINBENCH_INVALID_ARGUMENT nothing is written, and
+ * thinbench_last_error() has one line that names the invalid value. No function throws, so
  * pthread_cancel inside a call ends the program. All functions are thread-safe for different
  * destinations and handles.
  *
- * thinbench_thinning, thinbench_execution, thinbench_rule_info, thinbench_binarisation and
- * thinbench_pruning begin with their size, so that later versions can add members at the end and
- * still serve programs compiled before; macros such as THINBENCH_THINNING_INIT set it. The other
- * structs never change. */
+ * A function has the name of the C++ function that does the same, with the prefix thinbench_; the
+ * C++ headers say more, and docs/library.md lists what differs. Rules, edge operators, borders,
+ * channels and ISAs go by the names that the program uses: "guo_hall", "sobel", "avx2".
+ *
+ * Arguments come in this order: what is read, what is written, options, execution, other results.
+ * Width is before height, x before y. The foreground of an image is what is not 0; what is outside
+ * the image is background. A source is never written. Unless a comment says otherwise, a
+ * destination has the size of its source, and is the source or shares no byte with it.
+ *
+ * A struct that begins with its size is made by its macro, which sets the size and the defaults:
+ *
+ *   thinbench_image image = THINBENCH_IMAGE_INIT;
+ *   image.data = pixels;
+ *   image.width = image.stride = 640;
+ *   image.height = 480;
+ *
+ * Later versions add members at the end of such a struct. A library that is newer than the program
+ * gives them their defaults; one that is older accepts them as long as they are 0. Members named
+ * `reserved` must be 0. The other structs never change: thinbench_pixel, thinbench_link. Elements
+ * of lists that the library makes may grow, so its functions for lists are told their size. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -32,60 +47,161 @@ typedef enum thinbench_status {
 /* The version of the library, for example "1.0.0". */
 THINBENCH_API const char* thinbench_version(void);
 
+/* The message of this thread's last failure, at most 1023 bytes of it; "" if there was none. Valid
+ * until its next failure. */
+THINBENCH_API const char* thinbench_last_error(void);
+
 /* Frees the memory that the calling thread keeps for its next calls: at most 8 MiB in 32 blocks. A
  * thread that ends frees it, too; after fork(), the child goes on with that of the forking thread.
  */
 THINBENCH_API void thinbench_release_memory(void);
 
-/* The message of this thread's last failure, at most 1023 bytes of it; "" if there was none. Valid
- * until its next failure. */
-THINBENCH_API const char* thinbench_last_error(void);
+/* --- Images ---------------------------------------------------------------------------------- */
 
-/* `count` images of height x width pixels, one byte each: pixel (x, y) of image i is
- * data[i * image_stride + y * stride + x]. Strides are in bytes; the image_stride of a single image
- * is not used. Binary images: 0 is background, anything else is foreground. An image is a stack of
- * one. */
-typedef struct thinbench_stack {
-  const uint8_t* data;
-  ptrdiff_t count;
-  ptrdiff_t height;
+/* An image of one byte per pixel: pixel (x, y) is data[y * stride + x]. */
+typedef struct thinbench_image {
+  size_t size; /* of this struct */
+  uint8_t* data;
   ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride;
+  uint8_t foreground; /* of a binary result: what is written instead of 255; 0 stands for 255 */
+  uint8_t reserved[7];
+} thinbench_image;
+
+#define THINBENCH_IMAGE_INIT                     \
+  {                                              \
+    sizeof(thinbench_image), NULL, 0, 0, 0, 0, { \
+      0                                          \
+    }                                            \
+  }
+
+/* `count` images of one size: pixel (x, y) of image i is data[i * image_stride + y * stride + x].
+ */
+typedef struct thinbench_stack {
+  size_t size; /* of this struct */
+  uint8_t* data;
+  ptrdiff_t count;
+  ptrdiff_t width;
+  ptrdiff_t height;
   ptrdiff_t stride;
   ptrdiff_t image_stride;
+  uint8_t foreground; /* as that of thinbench_image */
+  uint8_t reserved[7];
 } thinbench_stack;
 
-/* The same for results, of the source's size. */
-typedef struct thinbench_output {
+#define THINBENCH_STACK_INIT                           \
+  {                                                    \
+    sizeof(thinbench_stack), NULL, 0, 0, 0, 0, 0, 0, { \
+      0                                                \
+    }                                                  \
+  }
+
+/* A binary image of 8 pixels per byte. 1 is foreground. Every row starts with a new byte, and the
+ * stride is in bytes. Unused bits of a row's last byte have no meaning; they are written as 0. */
+typedef struct thinbench_packed {
+  size_t size; /* of this struct */
   uint8_t* data;
+  ptrdiff_t width; /* in pixels */
+  ptrdiff_t height;
   ptrdiff_t stride;
-  ptrdiff_t image_stride;
-  uint8_t foreground; /* what is written instead of 255; 0 stands for 255 */
-} thinbench_output;
+  int32_t lsb_first; /* nonzero: the first pixel is the lowest bit; 0: the highest, as in PBM */
+  int32_t reserved;
+} thinbench_packed;
 
-/* What a call may change about a rule. */
-typedef struct thinbench_thinning {
-  size_t size;            /* of this struct */
-  const char* border;     /* "background", "keep" or "foreground"; NULL: as the rule says */
-  int32_t max_iterations; /* at least 1, INT32_MAX for no limit; 0: as the rule says */
-  int32_t reserved;       /* must be 0 */
-} thinbench_thinning;
+#define THINBENCH_PACKED_INIT \
+  { sizeof(thinbench_packed), NULL, 0, 0, 0, 0, 0 }
 
-#define THINBENCH_THINNING_INIT \
-  { sizeof(thinbench_thinning), NULL, 0, 0 }
+/* An image of labels or other integers: that of (x, y) is data[y * stride + x]. */
+typedef struct thinbench_labels {
+  size_t size; /* of this struct */
+  int32_t* data;
+  ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride; /* in integers */
+} thinbench_labels;
 
-/* How a result is computed, which never changes a pixel. */
+#define THINBENCH_LABELS_INIT \
+  { sizeof(thinbench_labels), NULL, 0, 0, 0 }
+
+/* An image of real numbers: that of (x, y) is data[y * stride + x]. */
+typedef struct thinbench_reals {
+  size_t size; /* of this struct */
+  double* data;
+  ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride; /* in numbers */
+} thinbench_reals;
+
+#define THINBENCH_REALS_INIT \
+  { sizeof(thinbench_reals), NULL, 0, 0, 0 }
+
+/* An image of colours: 3 or 4 bytes per pixel, which are red, green, blue and what is ignored. */
+typedef struct thinbench_colours {
+  size_t size; /* of this struct */
+  uint8_t* data;
+  ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride; /* in bytes */
+  int32_t samples;  /* 3 or 4 */
+  int32_t reserved;
+} thinbench_colours;
+
+#define THINBENCH_COLOURS_INIT \
+  { sizeof(thinbench_colours), NULL, 0, 0, 0, 3, 0 }
+
+typedef struct thinbench_pixel {
+  int32_t x;
+  int32_t y;
+} thinbench_pixel;
+
+/* How far the centres of neighbouring columns (x) and rows (y) are apart, in any unit, from 1e-30
+ * to 1e30. Where a function takes a spacing, NULL stands for 1, 1. */
+typedef struct thinbench_spacing {
+  size_t size; /* of this struct */
+  double x;
+  double y;
+} thinbench_spacing;
+
+#define THINBENCH_SPACING_INIT \
+  { sizeof(thinbench_spacing), 1, 1 }
+
+/* How a result is computed, which never changes a pixel. NULL stands for the defaults. */
 typedef struct thinbench_execution {
   size_t size;     /* of this struct */
-  int32_t threads; /* 1 to 1024 */
-  const char* isa; /* NULL: the best that this machine has */
+  int32_t threads; /* the maximum number, 1 to 1024 */
+  const char* isa; /* the highest to use; NULL: the highest that this machine has */
 } thinbench_execution;
 
 #define THINBENCH_EXECUTION_INIT \
   { sizeof(thinbench_execution), 1, NULL }
 
-/* A rule, as in thinbench/rule.hpp: what thinning computes. All functions that take a rule take
- * every rule. Immutable: threads may use it at the same time. */
+/* Names of ISAs, from the lowest; NULL past the end. Valid as long as the program. */
+THINBENCH_API const char* thinbench_isa_name(size_t index);
+
+/* Whether the processor has this ISA and THINBENCH_MAX_ISA allows it: 1, 0, or -1 for an unknown
+ * name. */
+THINBENCH_API int32_t thinbench_isa_available(const char* isa);
+
+/* --- Rules ----------------------------------------------------------------------------------- */
+
+/* What thinning computes: thinbench/rule.hpp. All functions that take a rule take every rule.
+ * Immutable: threads may use it at the same time. */
 typedef struct thinbench_rule thinbench_rule;
+
+/* No limit of iterations. */
+#define THINBENCH_UNLIMITED INT32_MAX
+
+/* What a call may change about a rule. NULL stands for the defaults. */
+typedef struct thinbench_thinning {
+  size_t size;            /* of this struct */
+  const char* border;     /* "background", "keep" or "foreground"; NULL: as the rule says */
+  int32_t max_iterations; /* 1 to THINBENCH_UNLIMITED; 0: as the rule says */
+  int32_t reserved;
+} thinbench_thinning;
+
+#define THINBENCH_THINNING_INIT \
+  { sizeof(thinbench_thinning), NULL, 0, 0 }
 
 /* The functions that make a rule set *rule, which must be destroyed; NULL on failure. */
 
@@ -147,7 +263,7 @@ typedef struct thinbench_rule_info {
   const uint64_t* tables;  /* one after the other; NULL if it is no function of 3 x 3 pixels */
   size_t sub_iterations;   /* number of tables */
   const char* border;
-  int32_t max_iterations; /* INT32_MAX: no limit */
+  int32_t max_iterations;
   /* How far the effect of a pixel advances in an iteration, in pixels along rows and columns. What
    * is farther than iterations * reach from a pixel does not change it. */
   int32_t reach;
@@ -165,100 +281,91 @@ THINBENCH_API thinbench_status thinbench_rule_gates(const thinbench_rule* rule,
  * the program. */
 THINBENCH_API const char* thinbench_rule_name(size_t index);
 
-/* Applies a rule to every image of a stack; destination may be the source. `thinning` and
- * `execution` may be NULL, and so may `iterations`, which gets the maximum over all images,
- * including the last iteration if it changed nothing. */
+/* --- Thinning -------------------------------------------------------------------------------- */
+
+/* Applies a rule to an image. *iterations becomes the number of iterations, including the last one
+ * if it changed nothing; it may be NULL, here and below. */
 THINBENCH_API thinbench_status thinbench_thin(
-    const thinbench_rule* rule, const thinbench_stack* source, const thinbench_output* destination,
+    const thinbench_rule* rule, const thinbench_image* source, const thinbench_image* destination,
     const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
 
-/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes
- * to destinations[i]. The same result as thinbench_thin for each, but faster for many small images.
- * A destination is its source or shares no byte with any image of the lists. The other
- * arguments as above. */
+/* To every image of a stack; *iterations becomes the maximum over all images. */
+THINBENCH_API thinbench_status thinbench_thin_stack(
+    const thinbench_rule* rule, const thinbench_stack* source, const thinbench_stack* destination,
+    const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
+
+/* To `count` images of any sizes, from sources[i] to destinations[i]. The same result as
+ * thinbench_thin for each, but faster for many small images. A destination is its source or shares
+ * no byte with any image of the lists. *iterations becomes the maximum. */
 THINBENCH_API thinbench_status thinbench_thin_many(const thinbench_rule* rule,
-                                                   const thinbench_stack* sources,
-                                                   const thinbench_output* destinations,
+                                                   const thinbench_image* sources,
+                                                   const thinbench_image* destinations,
                                                    size_t count, const thinbench_thinning* thinning,
                                                    const thinbench_execution* execution,
                                                    int32_t* iterations);
 
-/* A binary image of 8 pixels per byte; every row starts with a new byte, and the stride is in
- * bytes. 1 is foreground. Unused bits of a row's last byte have no meaning. */
-typedef struct thinbench_packed {
-  const uint8_t* data;
-  ptrdiff_t height;
-  ptrdiff_t width;
-  ptrdiff_t stride;
-  int32_t lsb_first; /* nonzero: the first pixel is the lowest bit; 0: the highest, as in PBM */
-} thinbench_packed;
-
-/* The same as thinbench_thin for one packed image. The destination has the source's size and bit
- * order; its unused bits are set to 0. It is the source, with the same stride, or shares no byte
- * with it. */
+/* To a packed image. Bit orders may differ. */
 THINBENCH_API thinbench_status thinbench_thin_packed(
-    const thinbench_rule* rule, const thinbench_packed* source, uint8_t* destination,
-    ptrdiff_t destination_stride, const thinbench_thinning* thinning,
-    const thinbench_execution* execution, int32_t* iterations);
-
-/* Thins every label of a height x width image of labels as if it were alone in the image: a pixel
- * keeps its label where the label's skeleton has it, else it becomes 0. 0 is background; negative
- * labels are rejected. Strides are in labels; destination may be the source. The other
- * arguments as above. */
-THINBENCH_API thinbench_status thinbench_thin_labels(
-    const thinbench_rule* rule, const int32_t* source, ptrdiff_t source_stride,
-    int32_t* destination, ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
+    const thinbench_rule* rule, const thinbench_packed* source, const thinbench_packed* destination,
     const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
 
-/* A thinner for images of one size, with memory allocated once. One call at a time. */
+/* To every label as if it were alone in the image: a pixel keeps its label where the label's
+ * skeleton has it, else it becomes 0. 0 is background; negative labels are rejected. *iterations
+ * becomes the maximum over all labels. */
+THINBENCH_API thinbench_status thinbench_thin_labels(
+    const thinbench_rule* rule, const thinbench_labels* source, const thinbench_labels* destination,
+    const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
+
+/* Thins images of one size with memory allocated once. One call at a time. */
 typedef struct thinbench_thinner thinbench_thinner;
 
 /* *thinner must be destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_thinner_create(const thinbench_rule* rule,
-                                                        ptrdiff_t height, ptrdiff_t width,
+THINBENCH_API thinbench_status thinbench_thinner_create(const thinbench_rule* rule, ptrdiff_t width,
+                                                        ptrdiff_t height,
                                                         const thinbench_thinning* thinning,
                                                         const thinbench_execution* execution,
                                                         thinbench_thinner** thinner);
 /* Thins one image of this size. */
 THINBENCH_API thinbench_status thinbench_thinner_run(thinbench_thinner* thinner,
-                                                     const thinbench_stack* source,
-                                                     const thinbench_output* destination,
+                                                     const thinbench_image* source,
+                                                     const thinbench_image* destination,
                                                      int32_t* iterations);
-/* What was chosen; valid as long as the program. */
-THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* thinner);
-THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
 
-/* What is foreground: thinbench/binarise.hpp. */
+/* --- Binary images, edges and distances ------------------------------------------------------ */
+
+#define THINBENCH_OTSU (-1)  /* the threshold by Otsu's method */
+#define THINBENCH_LOCAL (-2) /* a threshold for each pixel, from the mean around it */
+
+/* What is foreground: thinbench/binarise.hpp. NULL stands for the defaults. */
 typedef struct thinbench_binarisation {
   size_t size;            /* of this struct */
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
-  int32_t threshold;      /* 0 to 255; -1: by Otsu's method; -2: local */
+  int32_t threshold;      /* 0 to 255, THINBENCH_OTSU or THINBENCH_LOCAL */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset;         /* 0 to 255 */
-  int32_t reserved;       /* must be 0 */
+  int32_t offset;         /* of the local threshold: 0 to 255 */
+  int32_t reserved;
 } thinbench_binarisation;
 
 #define THINBENCH_BINARISATION_INIT \
-  { sizeof(thinbench_binarisation), NULL, -1, 0, 10, 0 }
+  { sizeof(thinbench_binarisation), NULL, THINBENCH_OTSU, 0, 10, 0 }
 
-/* Writes 255 on the foreground of a grey image and 0 elsewhere; destination may be the source.
- * `request` may be NULL: the defaults. *foreground becomes "bright" or "dark" and *threshold the
- * level from which pixels are bright; each may be NULL. */
-THINBENCH_API thinbench_status thinbench_binarise(const thinbench_stack* grey,
-                                                  const thinbench_output* destination,
+/* Writes 255 on the foreground of a grey image and 0 elsewhere. *foreground becomes "bright" or
+ * "dark" and *threshold the level from which pixels are bright; each may be NULL. */
+THINBENCH_API thinbench_status thinbench_binarise(const thinbench_image* grey,
+                                                  const thinbench_image* destination,
                                                   const thinbench_binarisation* request,
+                                                  const thinbench_execution* execution,
                                                   const char** foreground, int32_t* threshold);
 
-/* A channel of one image of 3 or 4 bytes per pixel (red, green, blue, ignored): "grey", "red",
- * "green", "blue", "saturation", "value" or "auto". *chosen, which may be NULL, becomes its name.
- * `samples` is 3 or 4. Strides are in bytes; colours and levels must not overlap. */
-THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours,
-                                                        ptrdiff_t colours_stride, uint8_t* levels,
-                                                        ptrdiff_t levels_stride, ptrdiff_t height,
-                                                        ptrdiff_t width, int32_t samples,
-                                                        const char* channel, const char** chosen);
+/* Writes a channel as a grey image, which shares no byte with the colours: "grey", "red", "green",
+ * "blue", "saturation", "value" or "auto". *chosen, which may be NULL, becomes its name. */
+THINBENCH_API thinbench_status thinbench_select_channel(const thinbench_colours* colours,
+                                                        const thinbench_image* destination,
+                                                        const char* channel,
+                                                        const thinbench_execution* execution,
+                                                        const char** chosen);
 
 /* The directions of the midpoint scan, to be combined by |. */
 #define THINBENCH_ROWS 1          /* west to east */
@@ -268,39 +375,43 @@ THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours,
 #define THINBENCH_ALL_DIRECTIONS 15
 
 /* Marks the midpoint of every run of foreground pixels along each direction. The border is
- * "background" or "keep", NULL stands for the first. The destination may be the source. */
-THINBENCH_API thinbench_status thinbench_midpoint_scan(const thinbench_stack* source,
-                                                       const thinbench_output* destination,
+ * "background" or "keep"; NULL stands for the first. */
+THINBENCH_API thinbench_status thinbench_midpoint_scan(const thinbench_image* source,
+                                                       const thinbench_image* destination,
                                                        int32_t directions, const char* border,
                                                        const thinbench_execution* execution);
 
-/* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
- * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination must
- * not overlap. */
-THINBENCH_API thinbench_status thinbench_edges(
-    const char* edge_operator, const thinbench_stack* source, const thinbench_output* destination,
+/* Edges of a grey image by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
+ * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination share
+ * no byte. */
+THINBENCH_API thinbench_status thinbench_detect_edges(
+    const char* edge_operator, const thinbench_image* source, const thinbench_image* destination,
     int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_execution* execution);
 
-/* The square of the Euclidean distance from each pixel of one image to its nearest background
- * pixel, with `stride` numbers from row to row; INT32_MAX in an image without background. What is
- * outside the image does not count. Sides are at most 32767. Source and distances must not overlap.
- */
-THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack* source,
-                                                           int32_t* distances, ptrdiff_t stride,
+/* Names, in the order of the catalogue; NULL past the end. Valid as long as the program. */
+THINBENCH_API const char* thinbench_edge_operator_name(size_t index);
+
+/* The square of the Euclidean distance from each pixel to its nearest background pixel; INT32_MAX
+ * in an image without background. What is outside the image does not count. Sides are at most
+ * 32767. Source and distances share no byte. */
+THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_image* source,
+                                                           const thinbench_labels* distances,
                                                            const thinbench_execution* execution);
 
-/* How far the centres of neighbouring rows and columns are apart, in any unit, from 1e-30 to
- * 1e30. NULL stands for 1, 1. */
-typedef struct thinbench_spacing {
-  double y;
-  double x;
-} thinbench_spacing;
-
 /* The distances themselves, in the unit of the spacing; infinity in an image without background. */
-THINBENCH_API thinbench_status thinbench_distances(const thinbench_stack* source, double* distances,
-                                                   ptrdiff_t stride,
+THINBENCH_API thinbench_status thinbench_distances(const thinbench_image* source,
+                                                   const thinbench_reals* distances,
                                                    const thinbench_spacing* spacing,
                                                    const thinbench_execution* execution);
+
+/* The distance from each pixel of a label to the nearest pixel without this label; 0 on background.
+ */
+THINBENCH_API thinbench_status thinbench_distances_of_labels(const thinbench_labels* labels,
+                                                             const thinbench_reals* distances,
+                                                             const thinbench_spacing* spacing,
+                                                             const thinbench_execution* execution);
+
+/* --- Objects and holes ----------------------------------------------------------------------- */
 
 /* An object (8-connected) or a hole (4-connected background that does not touch the border). */
 typedef struct thinbench_region {
@@ -314,47 +425,56 @@ typedef struct thinbench_region {
   uint32_t enclosing_object; /* of a hole: the object around it, counted from 1; else 0 */
 } thinbench_region;
 
-/* Objects and holes, in raster order of their first pixels. */
+/* Objects and holes, in raster order of their first pixels. The functions that make them set
+ * *regions, which must be destroyed; NULL on failure. */
 typedef struct thinbench_regions thinbench_regions;
 
-/* Of one image; *regions must be destroyed; NULL on failure. With `labels`, int32_t values with
- * `labels_stride` values from row to row, every pixel gets the number of its object from 1, or the
- * number of objects plus that of its hole, or 0. */
-THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* source,
-                                                      int32_t* labels, ptrdiff_t labels_stride,
+THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_image* source,
                                                       const thinbench_execution* execution,
                                                       thinbench_regions** regions);
-/* The labels of objects alone, which are 8- or 4-connected; *objects is their number. `order`:
- * "pixels" or NULL, as above, or "opencv", as OpenCV's connectedComponents numbers objects: those
- * that are 8-connected in raster order of their first blocks of 2 x 2 pixels. */
-THINBENCH_API thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* labels,
-                                                     ptrdiff_t labels_stride, int32_t connectivity,
-                                                     const char* order,
+/* Also writes labels: every pixel gets the number of its object from 1, or the number of objects
+ * plus that of its hole, or 0. Source and labels share no byte, here and below. */
+THINBENCH_API thinbench_status thinbench_label_regions(const thinbench_image* source,
+                                                       const thinbench_labels* labels,
+                                                       const thinbench_execution* execution,
+                                                       thinbench_regions** regions);
+/* Objects alone, in less time; there are no holes. */
+THINBENCH_API thinbench_status thinbench_find_objects(const thinbench_image* source,
+                                                      const thinbench_execution* execution,
+                                                      thinbench_regions** regions);
+/* Objects alone, of connectivity 8 or 4, and their labels. `order`: "pixels" or NULL, as above, or
+ * "opencv", as OpenCV's connectedComponents numbers objects: those that are 8-connected in raster
+ * order of their first blocks of 2 x 2 pixels. */
+THINBENCH_API thinbench_status thinbench_label_objects(const thinbench_image* source,
+                                                       const thinbench_labels* labels,
+                                                       int32_t connectivity, const char* order,
+                                                       const thinbench_execution* execution,
+                                                       thinbench_regions** regions);
+/* The same labels without the list, in less time; *objects becomes the number of objects. */
+THINBENCH_API thinbench_status thinbench_label_image(const thinbench_image* source,
+                                                     const thinbench_labels* labels,
+                                                     int32_t connectivity, const char* order,
                                                      const thinbench_execution* execution,
                                                      uint32_t* objects);
-/* The same with the list of objects; there are no holes. */
-THINBENCH_API thinbench_status thinbench_label_components(const thinbench_stack* source,
-                                                          int32_t* labels, ptrdiff_t labels_stride,
-                                                          int32_t connectivity, const char* order,
+/* Labels components of equal values in an image of any values: pixels with one value that are 8- or
+ * 4-connected. Those with the value `background` get 0. *components becomes their number. */
+THINBENCH_API thinbench_status thinbench_label_values(const thinbench_labels* values,
+                                                      const thinbench_labels* labels,
+                                                      int32_t connectivity, int32_t background,
+                                                      const thinbench_execution* execution,
+                                                      uint32_t* components);
+/* Sobel's edges of a grey image, filled, and the regions of the result, which `objects` gets unless
+ * it is NULL. */
+THINBENCH_API thinbench_status thinbench_localise_objects(const thinbench_image* grey,
+                                                          const thinbench_image* objects,
+                                                          int32_t gradient_threshold,
+                                                          int32_t brightness_threshold,
                                                           const thinbench_execution* execution,
                                                           thinbench_regions** regions);
-/* The labels of components of equal values in a height x width image of any values: 4- or
- * 8-connected pixels with one value. Those with the value `background` get 0. Strides are in
- * values; the images share no byte. */
-THINBENCH_API thinbench_status thinbench_label_values(const int32_t* values,
-                                                      ptrdiff_t values_stride, int32_t* labels,
-                                                      ptrdiff_t labels_stride, ptrdiff_t height,
-                                                      ptrdiff_t width, int32_t connectivity,
-                                                      int32_t background, uint32_t* components);
-/* Sobel's edges of a grey image, filled, and the regions of the result. */
-THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
-                                                  int32_t gradient_threshold,
-                                                  int32_t brightness_threshold,
-                                                  const thinbench_execution* execution,
-                                                  thinbench_regions** regions);
-/* `size` is sizeof(thinbench_region): thinbench_regions_objects(r, &count, sizeof(...)). The array
- * lives as long as the handle. Returns NULL and sets *count to 0 if there are no regions, the
- * handle is NULL, or `size` differs from that of this library's struct. */
+
+/* The lists, which live as long as the handle; `size` is sizeof(thinbench_region). Returns NULL and
+ * sets *count to 0 if there are no regions, the handle is NULL, or `size` is not that of this
+ * library's struct. `count` may be NULL. */
 THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,
@@ -362,17 +482,56 @@ THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_re
 /* NULL is allowed. */
 THINBENCH_API void thinbench_regions_destroy(thinbench_regions* regions);
 
-/* The graph of a skeleton: nodes joined by lines. */
-typedef struct thinbench_graph thinbench_graph;
+/* Which holes are filled. NULL stands for the defaults. */
+typedef struct thinbench_hole_filling {
+  size_t size;          /* of this struct */
+  int64_t max_area;     /* only holes of at most so many pixels; INT64_MAX: all */
+  int32_t connectivity; /* of objects, 8 or 4; that of holes is the other one */
+  int32_t reserved;
+} thinbench_hole_filling;
 
-typedef struct thinbench_pixel {
-  int32_t x;
-  int32_t y;
-} thinbench_pixel;
+#define THINBENCH_HOLE_FILLING_INIT \
+  { sizeof(thinbench_hole_filling), INT64_MAX, 8, 0 }
+
+/* Writes 255 on objects and in holes. With a maximum area, objects inside a hole do not count and
+ * stay as they are. */
+THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_image* source,
+                                                    const thinbench_image* destination,
+                                                    const thinbench_hole_filling* filling,
+                                                    const thinbench_execution* execution);
+
+/* Fills the holes of labels: background gets the label of the innermost hole around it, as
+ * thinbench/regions.hpp says. */
+THINBENCH_API thinbench_status thinbench_fill_holes_of_labels(const thinbench_labels* source,
+                                                              const thinbench_labels* destination,
+                                                              const thinbench_hole_filling* filling,
+                                                              const thinbench_execution* execution);
+
+/* Objects minus holes; connectivity 8 or 4 is that of the objects. */
+THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_image* source,
+                                                      int32_t connectivity,
+                                                      const thinbench_execution* execution,
+                                                      int64_t* number);
+
+/* --- Graphs of skeletons --------------------------------------------------------------------- */
+
+/* What each pixel is (0: background, 1: isolated, 2: end, 3: line, 4: junction), and to how many
+ * neighbours it is joined: thinbench/graph.hpp. Either result may be NULL; the three images share
+ * no byte. */
+THINBENCH_API thinbench_status thinbench_classify_pixels(const thinbench_image* image,
+                                                         const thinbench_image* classes,
+                                                         const thinbench_image* degrees,
+                                                         const thinbench_execution* execution);
+
+/* How many blocks of 2 x 2 foreground pixels an image has, by which it is not thin, and the upper
+ * left pixel of the first. `first` may be NULL. */
+THINBENCH_API thinbench_status thinbench_full_blocks(const thinbench_image* image,
+                                                     const thinbench_execution* execution,
+                                                     int64_t* count, thinbench_pixel* first);
 
 typedef struct thinbench_graph_node {
   int32_t kind;         /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line,
-                           4: given to thinbench_graph_split */
+                           4: given to thinbench_split_graph */
   uint32_t first_pixel; /* in the list of the pixels of nodes */
   uint32_t pixel_count;
 } thinbench_graph_node;
@@ -392,49 +551,57 @@ typedef struct thinbench_graph_edge {
   uint32_t diagonal_steps;
 } thinbench_graph_edge;
 
-/* What each pixel of one image is (0: background, 1: isolated, 2: end, 3: line, 4: junction), and
- * to how many neighbours it is joined: thinbench/graph.hpp. Either may be NULL. Image, classes and
- * degrees must not overlap. */
-THINBENCH_API thinbench_status thinbench_classify_pixels(const thinbench_stack* image,
-                                                         uint8_t* classes, ptrdiff_t classes_stride,
-                                                         uint8_t* degrees,
-                                                         ptrdiff_t degrees_stride);
+/* Nodes joined by lines; thinbench/graph.hpp says what they are, and in which order. The functions
+ * that make a graph set *graph, which must be destroyed; NULL on failure. */
+typedef struct thinbench_graph thinbench_graph;
 
-/* How many blocks of 2 x 2 foreground pixels one image has, by which it is not thin, and the upper
- * left pixel of the first. `first` may be NULL. */
-THINBENCH_API thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
-                                                     thinbench_pixel* first);
-
-/* What the parts are, and their order: thinbench/graph.hpp. *graph must be destroyed; NULL on
- * failure. */
-THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_image* skeleton,
                                                         const thinbench_execution* execution,
                                                         thinbench_graph** graph);
 
+/* The graphs of all labels, one after another, in the order of the labels:
+ * thinbench/graph_labels.hpp. Pixels with different labels are not joined. */
+THINBENCH_API thinbench_status thinbench_graph_of_labels(const thinbench_labels* skeletons,
+                                                         const thinbench_execution* execution,
+                                                         thinbench_graph** graph);
+
+/* A graph with more nodes, one at each of these pixels of lines: thinbench/graph_parts.hpp. It
+ * knows no labels. */
+THINBENCH_API thinbench_status thinbench_split_graph(const thinbench_graph* graph,
+                                                     const thinbench_pixel* pixels, size_t count,
+                                                     thinbench_graph** split);
+
 typedef struct thinbench_pruning {
-  size_t size;             /* of this struct */
-  double min_length;       /* removes end branches below it */
-  double min_widths;       /* and those below so many times the object's width at their junction */
-  const double* distances; /* of the image before it was thinned; NULL without min_widths */
-  ptrdiff_t distances_stride;       /* in numbers */
-  int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
+  size_t size;       /* of this struct */
+  double min_length; /* removes end branches below it */
+  double min_widths; /* and below so many widths of the object at their junction */
+  const thinbench_reals*
+      distances; /* of the image before it was thinned; NULL without min_widths */
   const thinbench_spacing* spacing; /* that of the distances and of min_length */
+  int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
+  int32_t reserved;
 } thinbench_pruning;
 
 #define THINBENCH_PRUNING_INIT \
-  { sizeof(thinbench_pruning), 0, 0, NULL, 0, 0, NULL }
+  { sizeof(thinbench_pruning), 0, 0, NULL, NULL, 0, 0 }
 
-/* Removes short branches of one skeleton, of equal ones the first, until none is left. Destination
- * may be the source. `graph` may be NULL; otherwise *graph is that of the result and must be
- * destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_prune(const thinbench_stack* skeleton,
-                                               const thinbench_output* destination,
+/* Removes short branches of a skeleton, of equal ones the first, until none is left. `graph` may be
+ * NULL; otherwise *graph is that of the result. */
+THINBENCH_API thinbench_status thinbench_prune(const thinbench_image* skeleton,
+                                               const thinbench_image* destination,
                                                const thinbench_pruning* pruning,
                                                const thinbench_execution* execution,
                                                thinbench_graph** graph);
 
-/* Arrays that live as long as the handle; `size` is that of an element. Returns NULL and sets
- * *count to 0 if there are none, the handle is NULL, or `size` differs from this library's. */
+/* Those of the skeleton of each label as if it were alone; pixels that are removed become 0. The
+ * distances are thinbench_distances_of_labels() of what was thinned. */
+THINBENCH_API thinbench_status thinbench_prune_labels(const thinbench_labels* skeletons,
+                                                      const thinbench_labels* destination,
+                                                      const thinbench_pruning* pruning,
+                                                      const thinbench_execution* execution,
+                                                      thinbench_graph** graph);
+
+/* The lists of a graph, as those of regions. */
 THINBENCH_API const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph,
@@ -443,101 +610,37 @@ THINBENCH_API const thinbench_pixel* thinbench_graph_node_pixels(const thinbench
                                                                  size_t* count, size_t size);
 THINBENCH_API const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
                                                                  size_t* count, size_t size);
+/* The label of each node; none for a graph that is not one of labels. */
+THINBENCH_API const int32_t* thinbench_graph_node_labels(const thinbench_graph* graph,
+                                                         size_t* count, size_t size);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
 
 /* Twice the distance to the background along an edge, both ends included; infinity without
  * background. */
-typedef struct thinbench_edge_widths {
+typedef struct thinbench_widths {
   double mean;
   double median;
   double min;
   double max;
-} thinbench_edge_widths;
+} thinbench_widths;
 
-/* Those of every edge, in the order of the edges, for which `widths` has room. The distances are
- * those of the image before it was thinned, `stride` numbers from row to row. */
-THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
-                                                           const double* distances,
-                                                           ptrdiff_t stride, ptrdiff_t height,
-                                                           ptrdiff_t width,
-                                                           thinbench_edge_widths* widths);
+/* Those of every edge, in the order of the edges, for which `widths` has room; `size` is
+ * sizeof(thinbench_widths). The distances are those of the image before it was thinned. */
+THINBENCH_API thinbench_status thinbench_edge_widths(const thinbench_graph* graph,
+                                                     const thinbench_reals* distances,
+                                                     const thinbench_execution* execution,
+                                                     thinbench_widths* widths, size_t size);
 
-/* The graphs of all labels of a height x width image of labels, one after another, in the order of
- * the labels: thinbench/graph_labels.hpp. 0 is background; pixels with different labels are not
- * joined. `stride` is in labels. *graph must be destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_graph_of_labels(const int32_t* skeletons, ptrdiff_t stride,
-                                                         ptrdiff_t height, ptrdiff_t width,
-                                                         const thinbench_execution* execution,
-                                                         thinbench_graph** graph);
-/* The label of each node, as the other arrays; none for a graph that is not one of labels. */
-THINBENCH_API const int32_t* thinbench_graph_node_labels(const thinbench_graph* graph,
-                                                         size_t* count, size_t size);
+/* Keeps the first point of a line, the last and some between them, chosen so that no point is
+ * farther than `tolerance`, in the unit of the spacing, from the polyline. `kept` has room for
+ * `count` points and may be `points`; *kept_count becomes their number. */
+THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
+                                                  double tolerance,
+                                                  const thinbench_spacing* spacing,
+                                                  thinbench_pixel* kept, size_t* kept_count);
 
-/* The distance from each pixel of a label to the nearest pixel without this label; 0 on background.
- * Strides are in labels and in numbers. */
-THINBENCH_API thinbench_status thinbench_label_distances(const int32_t* labels,
-                                                         ptrdiff_t labels_stride, double* distances,
-                                                         ptrdiff_t distances_stride,
-                                                         ptrdiff_t height, ptrdiff_t width,
-                                                         const thinbench_spacing* spacing,
-                                                         const thinbench_execution* execution);
-
-/* Prunes the skeleton of each label as if it were alone; pixels that are removed become 0. The
- * distances are thinbench_label_distances() of what was thinned. Destination may be the source.
- * `graph` as in thinbench_prune(), with labels. */
-THINBENCH_API thinbench_status
-thinbench_prune_labels(const int32_t* skeletons, ptrdiff_t skeletons_stride, int32_t* destination,
-                       ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
-                       const thinbench_pruning* pruning, const thinbench_execution* execution,
-                       thinbench_graph** graph);
-
-/* Graphs made from another one: thinbench/graph_parts.hpp. They know no labels, must be destroyed,
- * and are NULL on failure. */
-
-/* Some edges, by their numbers, and their nodes. */
-THINBENCH_API thinbench_status thinbench_graph_subgraph(const thinbench_graph* graph,
-                                                        const uint32_t* edges, size_t count,
-                                                        thinbench_graph** part);
-/* With a node at each of these pixels of lines. */
-THINBENCH_API thinbench_status thinbench_graph_split(const thinbench_graph* graph,
-                                                     const thinbench_pixel* pixels, size_t count,
-                                                     thinbench_graph** split);
-/* Without the longest edge of each cycle of at most max_length. */
-THINBENCH_API thinbench_status thinbench_graph_open_cycles(const thinbench_graph* graph,
-                                                           double max_length,
-                                                           const thinbench_spacing* spacing,
-                                                           thinbench_graph** opened);
-
-/* A pixel of an edge, and how far it is from where it was looked for. */
-typedef struct thinbench_graph_place {
-  uint32_t edge;
-  thinbench_pixel pixel;
-  double distance;
-} thinbench_graph_place;
-
-/* The pixel of an edge that is nearest to a point, the first with the least distance. */
-THINBENCH_API thinbench_status thinbench_graph_nearest(const thinbench_graph* graph, double x,
-                                                       double y, const thinbench_spacing* spacing,
-                                                       thinbench_graph_place* place);
-
-/* An edge as a row of the table that skan's summarize() makes. */
-typedef struct thinbench_branch {
-  uint32_t component; /* numbered from 0 by the first nodes */
-  uint32_t from;
-  uint32_t to;
-  int32_t type; /* 0: between ends, 1: end and junction, 2: junctions, 3: a closed line */
-  thinbench_pixel start;
-  thinbench_pixel stop;
-  double length;
-  double chord;      /* the distance between start and stop */
-  double tortuosity; /* length / chord; NaN where start and stop are one pixel */
-} thinbench_branch;
-
-/* That of every edge, in the order of the edges, for which `branches` has room. */
-THINBENCH_API thinbench_status thinbench_graph_summary(const thinbench_graph* graph,
-                                                       const thinbench_spacing* spacing,
-                                                       thinbench_branch* branches);
+/* --- Paths ----------------------------------------------------------------------------------- */
 
 /* An edge between nodes, by their numbers from 0. */
 typedef struct thinbench_link {
@@ -546,7 +649,8 @@ typedef struct thinbench_link {
   double length;
 } thinbench_link;
 
-/* Paths from node to node by links: thinbench/graph_paths.hpp. */
+/* Paths from node to node by links: thinbench/graph_paths.hpp. The functions that make them set
+ * *paths, which must be destroyed; NULL on failure. */
 typedef struct thinbench_graph_paths thinbench_graph_paths;
 
 typedef struct thinbench_graph_path {
@@ -557,7 +661,7 @@ typedef struct thinbench_graph_path {
   size_t edge_count;
 } thinbench_graph_path;
 
-/* The longest shortest path of every component. *paths must be destroyed; NULL on failure. */
+/* The longest shortest path of every component. */
 THINBENCH_API thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
                                                     size_t link_count,
                                                     thinbench_graph_paths** paths);
@@ -570,10 +674,10 @@ THINBENCH_API thinbench_status thinbench_shortest_path(uint32_t nodes, const thi
                                                        size_t link_count, uint32_t from,
                                                        uint32_t to, thinbench_graph_paths** paths);
 /* The component of every node, numbered from 0 by their first nodes. */
-THINBENCH_API thinbench_status thinbench_components(uint32_t nodes, const thinbench_link* links,
-                                                    size_t link_count, uint32_t* components);
+THINBENCH_API thinbench_status thinbench_components_of(uint32_t nodes, const thinbench_link* links,
+                                                       size_t link_count, uint32_t* components);
 
-/* Arrays as those of graphs. */
+/* The lists of paths, as those of regions. */
 THINBENCH_API const thinbench_graph_path* thinbench_graph_paths_list(
     const thinbench_graph_paths* paths, size_t* count, size_t size);
 THINBENCH_API const uint32_t* thinbench_graph_paths_nodes(const thinbench_graph_paths* paths,
@@ -583,57 +687,34 @@ THINBENCH_API const uint32_t* thinbench_graph_paths_edges(const thinbench_graph_
 /* NULL is allowed. */
 THINBENCH_API void thinbench_graph_paths_destroy(thinbench_graph_paths* paths);
 
-/* Keeps the first point of a line, the last and some between them, chosen so that no point is
- * farther than `tolerance`, in the unit of the spacing, from the polyline. `kept` has room for
- * `count` points and may be `points`; *kept_count becomes their number. */
-THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
-                                                  double tolerance,
-                                                  const thinbench_spacing* spacing,
-                                                  thinbench_pixel* kept, size_t* kept_count);
+typedef struct thinbench_path_request {
+  size_t size; /* of this struct */
+  thinbench_pixel start;
+  thinbench_pixel goal;
+  double width; /* of the robot, a disc, in pixels */
+} thinbench_path_request;
+
+#define THINBENCH_PATH_REQUEST_INIT \
+  { sizeof(thinbench_path_request), {0, 0}, {0, 0}, 0 }
+
+typedef struct thinbench_found_path {
+  size_t size;      /* of this struct */
+  size_t count;     /* of pixels; 0 if there is no path */
+  double length;    /* steps along rows and columns count 1, diagonal ones the square root of 2 */
+  double min_width; /* twice the smallest distance to an obstacle; infinite without one */
+} thinbench_found_path;
+
+#define THINBENCH_FOUND_PATH_INIT \
+  { sizeof(thinbench_found_path), 0, 0, 0 }
 
 /* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
- * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map; *count becomes
- * their number, 0 if there is no path. */
-THINBENCH_API thinbench_status thinbench_find_path(const thinbench_stack* free,
-                                                   thinbench_pixel start, thinbench_pixel goal,
-                                                   double width,
+ * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map. A start or a
+ * goal that is outside, on an obstacle or too near to one is an invalid argument. */
+THINBENCH_API thinbench_status thinbench_find_path(const thinbench_image* free,
+                                                   const thinbench_path_request* request,
                                                    const thinbench_execution* execution,
-                                                   thinbench_pixel* pixels, size_t* count);
-
-/* Sets objects and what they enclose to 255; destination may be the source. */
-THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,
-                                                    const thinbench_output* destination,
-                                                    const thinbench_execution* execution);
-
-/* The same for objects of connectivity 8 or 4, and only for holes of at most `max_area` pixels,
- * without objects inside them, which stay as they are; INT64_MAX for all holes with all inside
- * them. */
-THINBENCH_API thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
-                                                          const thinbench_output* destination,
-                                                          int32_t connectivity, int64_t max_area,
-                                                          const thinbench_execution* execution);
-
-/* Fills the holes of labels in a height x width image: background gets the label of the innermost
- * hole around it, as thinbench/regions.hpp says. The connectivity, 8 or 4, is that of labels; only
- * holes of at most `max_area` pixels. Strides are in labels; destination may be the source. */
-THINBENCH_API thinbench_status thinbench_fill_label_holes(
-    const int32_t* source, ptrdiff_t source_stride, int32_t* destination,
-    ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width, int32_t connectivity,
-    int64_t max_area, const thinbench_execution* execution);
-
-/* Objects minus holes of one image; connectivity 8 or 4 is that of the objects. */
-THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_stack* source,
-                                                      int32_t connectivity,
-                                                      const thinbench_execution* execution,
-                                                      int64_t* number);
-
-/* Names, in the order of the catalogue; NULL past the end. Valid as long as the program. */
-THINBENCH_API const char* thinbench_edge_operator_name(size_t index);
-THINBENCH_API const char* thinbench_isa_name(size_t index);
-
-/* Whether the processor has this ISA and THINBENCH_MAX_ISA allows it: 1, 0, or -1 for an unknown
- * name. */
-THINBENCH_API int32_t thinbench_isa_available(const char* isa);
+                                                   thinbench_pixel* pixels,
+                                                   thinbench_found_path* found);
 
 #ifdef __cplusplus
 }

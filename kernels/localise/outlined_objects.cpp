@@ -17,8 +17,8 @@ void combine(const ConstBitPlaneView& a, const ConstBitPlaneView& b, const BitPl
 }  // namespace
 
 OutlinedObjects::OutlinedObjects(Isa isa, Index width, Index height)
-    : eight_(isa, Connectivity::eight),
-      four_(isa, Connectivity::four),
+    : eight_(isa, {Connectivity::eight}),
+      four_(isa, {Connectivity::four}),
       filled_(width, height),
       inner_(width, height) {}
 

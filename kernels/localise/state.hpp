@@ -2,6 +2,7 @@
 // the regions of these objects.
 #pragma once
 
+#include "core/packing.hpp"
 #include "core/planes.hpp"
 #include "core/variant.hpp"
 #include "edges/state.hpp"
@@ -12,9 +13,9 @@ namespace thinbench::detail {
 
 using LocaliseSetting = Setting<EdgeParameters>;
 
-/// Everything stays packed: four bits per pixel, and 52 bytes per provisional label. Memory for runs
-/// and labels grows on demand: run() allocates only when an image has more of them than all before.
-/// Threads share edges and regions; outlined objects are found on one thread.
+/// Everything stays packed: four bits per pixel, and 52 bytes per provisional label. Memory for
+/// runs and labels grows on demand: run() allocates only when an image has more of them than all
+/// before. Threads share edges and regions; outlined objects are found on one thread.
 class LocaliseState {
  public:
   using Parameters = EdgeParameters;
@@ -29,10 +30,11 @@ class LocaliseState {
   /// Lists objects and holes. `source` must have the size of the setting.
   void run(const ConstImageView& source, Regions& found);
 
-  /// The image of the objects, valid until the next run.
-  [[nodiscard]] ConstBitPlaneView objects() const { return objects_.view(); }
+  /// Writes the image of the objects that the last run found.
+  void write_objects(const ImageView& image) const { conversion_.write(objects_.view(), image); }
 
  private:
+  const PlaneConversion<std::uint64_t>& conversion_;
   PackedEdges edges_;
   OutlinedObjects outlined_;
   BitPlane objects_;

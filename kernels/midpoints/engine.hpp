@@ -146,7 +146,7 @@ struct ScanEngine {
 
   static void transpose_rows(const ScanWork& work, Index group, Index first, Index end) {
     const PackedRows to = work.buffer(Direction::rows).pixels;
-    Blocks<Word> blocks;
+    TransposableRows<Word> blocks;
     for (Index word = 0; word * kWordBits < to.rows; word += kBatch) {
       for (Index y = 0; y < kGroupRows; ++y) {
         const bool inside = first + y < end;
@@ -162,7 +162,7 @@ struct ScanEngine {
 
   static void merge_transposed(const ScanWork& work, Index group, Index first, Index end) {
     const PackedRows rows = work.buffer(Direction::rows).pixels;
-    Blocks<Word> blocks;
+    TransposableRows<Word> blocks;
     for (Index word = 0; word * kWordBits < rows.rows; word += kBatch) {
       if (lanes(rows, word) < kBatch) blocks.clear();
       for (Index lane = 0; lane < lanes(rows, word); ++lane) {

@@ -1,4 +1,4 @@
-// The midpoint scan on vectors (column_scan.hpp). Compiled for every ISA. On AVX-512 a row of up to
+// The midpoint scan on vectors (column_scan.hpp). Compiled per ISA. On AVX-512 a row of up to
 // 511 pixels is one batch, every gate is one instruction, and both 9-bit counters and the values
 // they are compared with stay in registers.
 #include <concepts>

@@ -118,9 +118,9 @@ State make_simd_scan(const MidpointSetting& setting) {
 // Why there is no look-up table and no SIMD on bytes:
 // docs/experiments.md#midpoint-scan.
 const MidpointOperation& midpoint_operation() {
-  static const auto& operation = kept([] {
+  static const auto& operation = never_destroyed([] {
     VariantList<MidpointState> list;
-    for (const Isa isa : all_isas()) {
+    for (const Isa isa : isas_of<ScanKernels>()) {
       list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
     }
     return MidpointOperation{{},

@@ -31,14 +31,7 @@ class MidpointState {
   MidpointState(const MidpointState&) = delete;
   MidpointState& operator=(const MidpointState&) = delete;
 
-  virtual void load(const ConstImageView& source) = 0;
-  virtual void scan() = 0;
-  virtual void store(const ImageView& destination) const = 0;
-  void run(const ConstImageView& source, const ImageView& destination) {
-    load(source);
-    scan();
-    store(destination);
-  }
+  virtual void run(const ConstImageView& source, const ImageView& destination) = 0;
 };
 
 using MidpointOperation = Operation<std::monostate, MidpointState>;
@@ -54,12 +47,12 @@ class MidpointPlanes : public MidpointState {
         bands(setting.width, setting.height, setting.threads),
         border_(setting.border) {}
 
-  void load(const ConstImageView& source) final { read_planes(bands, source, planes); }
-  void scan() final {
+  void run(const ConstImageView& source, const ImageView& destination) final {
+    read_planes(bands, source, planes);
     mark();
     apply_border<T>(border_, planes.source.view(), planes.result.view());
+    write_planes(bands, planes, destination);
   }
-  void store(const ImageView& destination) const final { write_planes(bands, planes, destination); }
 
  protected:
   /// Writes all of the result plane.

@@ -47,15 +47,16 @@ class DiagonalRotation {
 
 /// 64 rows of one batch: a block of 64 x 64 pixels in each lane.
 template <class Word>
-struct Blocks {
+struct TransposableRows {
   using Traits = WordTraits<Word>;
-  static constexpr Index kLanes = Traits::kElements;
 
-  alignas(64) std::uint64_t rows[std::size_t{kWordBits * kLanes}];
+  alignas(64) std::uint64_t rows[std::size_t{kWordBits * Traits::kElements}];
 
-  [[gnu::always_inline]] Word row(Index y) const { return Traits::load(rows + y * kLanes); }
+  [[gnu::always_inline]] Word row(Index y) const {
+    return Traits::load(rows + y * Traits::kElements);
+  }
   [[gnu::always_inline]] void set_row(Index y, Word word) {
-    Traits::store(rows + y * kLanes, word);
+    Traits::store(rows + y * Traits::kElements, word);
   }
   [[gnu::always_inline]] void clear() {
     for (Index y = 0; y < kWordBits; ++y) set_row(y, Traits::zero());
@@ -65,14 +66,14 @@ struct Blocks {
   [[gnu::always_inline]] void load_lane(Index lane, const std::uint64_t* from, Index stride) {
     for (Index y = 0; y < kWordBits; y += 8, from += 8 * stride) {
       unrolled<8>([&](auto i) __attribute__((always_inline)) {
-        rows[(y + i) * kLanes + lane] = from[i * stride];
+        rows[(y + i) * Traits::kElements + lane] = from[i * stride];
       });
     }
   }
   [[gnu::always_inline]] void store_lane(Index lane, std::uint64_t* to, Index stride) const {
     for (Index y = 0; y < kWordBits; y += 8, to += 8 * stride) {
       unrolled<8>([&](auto i) __attribute__((always_inline)) {
-        to[i * stride] = rows[(y + i) * kLanes + lane];
+        to[i * stride] = rows[(y + i) * Traits::kElements + lane];
       });
     }
   }

@@ -1,9 +1,9 @@
 // The Euler number of a packed image by two population counts.
 #pragma once
 
+#include "core/exported.hpp"
 #include "core/plane_view.hpp"
 #include "simd/word.hpp"
-#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 
@@ -11,11 +11,13 @@ namespace thinbench::detail {
 /// row past the image.
 using EulerKernel = std::int64_t (*)(const ConstBitPlaneView& image, Index first, Index last);
 
-/// By connectivity of the objects; the background has the other one. Compiled for every ISA.
+/// By connectivity of the objects; the background has the other one.
 struct EulerKernels {
   EulerKernel eight;
   EulerKernel four;
 };
+template <>
+inline constexpr Features kGainsFrom<EulerKernels> = ~Features{0};
 
 /// Pixels that add 1 to the Euler number, and pixels that subtract 1; disjoint.
 template <class Word>

@@ -1,8 +1,8 @@
 // The kernels that fill holes.
 #pragma once
 
+#include "core/exported.hpp"
 #include "core/plane_view.hpp"
-#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 
@@ -14,10 +14,12 @@ inline constexpr Index kMaxFloodVisits = 8;
 /// that takes more than about kMaxFloodVisits.
 using FloodBackground = bool (*)(const ConstBitPlaneView& image, const BitPlaneView& filled);
 
-/// Compiled for every ISA.
 struct FloodKernels {
   FloodBackground four;  // the background is 4-connected, as objects are 8-connected
   FloodBackground eight;
 };
+template <>
+inline constexpr Features kGainsFrom<FloodKernels> = feature("bmi2") | feature("avx512bw") |
+                                                     feature("gfni");
 
 }  // namespace thinbench::detail

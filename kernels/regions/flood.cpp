@@ -1,5 +1,5 @@
 // Filling holes by flooding the background of a packed image from its border, row by row. Compiled
-// for every ISA.
+// per ISA.
 //
 // Runs of a row fill at once: an addition carries a seed to the end of its run, towards high bits;
 // the other way it takes a reversal of the row, or gathering and scattering the ends of runs. What

@@ -29,12 +29,13 @@ void for_each_run(const Background& background, const Visit& visit) {
 
 }  // namespace
 
-HoleFiller::HoleFiller(Isa isa, Connectivity objects, std::int64_t max_area)
-    : kernels_(kernels_of<LabelEngine>(isa).holes),
-      flood_(objects == Connectivity::four ? kernels_of<FloodKernels>(isa).eight
-                                           : kernels_of<FloodKernels>(isa).four),
-      background_(objects == Connectivity::four ? Connectivity::eight : Connectivity::four),
-      max_area_(max_area) {}
+HoleFiller::HoleFiller(Isa isa, const HoleFilling& filling)
+    : kernels_(kernels_of<LabelEngine>(isa).holes), max_area_(filling.max_area) {
+  const FloodKernels& floods = kernels_of<FloodKernels>(isa);
+  const bool eight = filling.objects == Connectivity::four;  // the background
+  flood_ = eight ? floods.eight : floods.four;
+  background_ = eight ? Connectivity::eight : Connectivity::four;
+}
 
 void HoleFiller::fill(const ConstBitPlaneView& image, const BitPlaneView& filled) {
   if (image.height == 0) return;

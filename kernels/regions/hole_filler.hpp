@@ -13,7 +13,7 @@ namespace thinbench::detail {
 /// areas of holes are asked for: then it takes another bit per pixel, and 16 bytes per run.
 class HoleFiller {
  public:
-  HoleFiller(Isa isa, Connectivity objects, std::int64_t max_area = kAnyHoleArea);
+  HoleFiller(Isa isa, const HoleFilling& filling);
 
   /// Writes objects with their holes. Does not write margins.
   void fill(const ConstBitPlaneView& image, const BitPlaneView& filled);

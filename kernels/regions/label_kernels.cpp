@@ -1,4 +1,4 @@
-// Label images from runs as bits. Compiled for every ISA.
+// Label images from runs as bits. Compiled per ISA.
 //
 // Cost, for 8-connected objects: per 128 pixels about 45 instructions to find runs and contacts, or
 // per 1024 pixels about 70 where a register holds eight words; per run 7 instructions and two

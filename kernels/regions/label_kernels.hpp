@@ -1,8 +1,8 @@
 // The kernels that make label images.
 #pragma once
 
+#include "core/exported.hpp"
 #include "regions/label_table.hpp"
-#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 
@@ -76,11 +76,14 @@ struct HoleKernels {
                 const Label* ids, const LabelView& labels);
 };
 
-/// Compiled for every ISA.
 struct LabelEngine {
   LabelKernels eight;
   LabelKernels four;
   HoleKernels holes;  // of 8-connected objects
 };
+template <>
+inline constexpr Features kGainsFrom<LabelEngine> = feature("popcnt") | feature("avx2") |
+                                                    feature("avx512bw") |
+                                                    feature("avx512vpopcntdq");
 
 }  // namespace thinbench::detail

@@ -123,7 +123,7 @@ struct BandRows {
 }
 
 /// Label images of at least this many bytes are written with non-temporal stores: below, they cost
-/// more than they save, as the labels are still in the cache for whoever reads them.
+/// more than they save, as labels that are read next are still in the cache.
 inline constexpr Index kNonTemporalLabelBytes = Index{4} << 20;
 
 [[gnu::always_inline]] inline bool is_large(const LabelView& labels) {

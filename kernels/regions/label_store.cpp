@@ -14,20 +14,21 @@ void add_region(Region& sum, const Region& part) {
   sum.bottom = std::max(sum.bottom, part.bottom);
 }
 
-/// Lists the regions of roots from label `first` on. A parent never exceeds its label, so its number
-/// is known when the label is visited: the first root has number `first`.
+/// Lists the regions of roots from label `first` on, after moving them to the front in this order.
+/// A parent never exceeds its label, so its number is known when the label is visited.
 void list_regions(const LabelTable& table, Label first, std::vector<Region>& regions) {
-  regions.clear();
+  Label count = first;
   for (Label label = first; label < table.count; ++label) {
     Label& parent = table.parents[label];
     if (parent == label) {
-      parent = first + static_cast<Label>(regions.size());
-      regions.push_back(table.regions[label]);
+      table.regions[count] = table.regions[label];
+      parent = count++;
     } else {
       parent = table.parents[parent];
-      if (parent >= first) add_region(regions[parent - first], table.regions[label]);
+      add_region(table.regions[parent], table.regions[label]);
     }
   }
+  regions.assign(table.regions + first, table.regions + count);
 }
 
 }  // namespace

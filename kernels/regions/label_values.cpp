@@ -4,6 +4,7 @@
 
 #include "core/checks.hpp"
 #include "core/union_find.hpp"
+#include "core/variant.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -84,7 +85,8 @@ class Labeller {
 }  // namespace
 
 std::uint32_t label_values(ConstLabelView values, LabelView labels, Connectivity connectivity,
-                           std::int32_t background) {
+                           std::int32_t background, const Execution& execution) {
+  static_cast<void>(detail::checked_isa(execution));
   detail::require_connectivity(static_cast<int>(connectivity));
   detail::check_views(values, labels, detail::InPlace::rejected);
   detail::require_label_size(values.width, values.height);

@@ -142,7 +142,7 @@ struct RunLabelling {
 using LabelRows = Index (*)(const ConstBitPlaneView& image, Index first, Index last,
                             RunLabelling& labelling);
 
-/// `holes` labels background runs too, `objects` only foreground. Compiled for every ISA.
+/// `holes` labels background runs too, `objects` only foreground. Compiled per ISA.
 struct RunEngine {
   LabelRows holes;
   LabelRows objects;

@@ -1,4 +1,4 @@
-// The Euler number on vectors of packed words. Compiled for every ISA.
+// The Euler number on vectors of packed words. Compiled per ISA.
 //
 // Cost per vector of 128, 256 or 512 pixels: 4 loads, 6 operations for west neighbours (2 with
 // funnel shifts), 6 gates (4 with vpternlog) and two counts. Counts take 2 instructions with

@@ -1,5 +1,5 @@
 // Sums runs in vector lanes, one run per lane, while the runs of adjacent rows match one to one;
-// only runs near a change go through union-find. Compiled for every ISA.
+// only runs near a change go through union-find. Compiled per ISA.
 //
 // Most rows of an image of parts repeat the runs of the row above with slightly moved ends. Cost of
 // such a row, per vector of 4, 8 or 16 runs: 2 comparisons, 2 multiplications, 9 additions or
@@ -23,8 +23,9 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
 
 /// As find_keys_of_word; with byte compress it writes whole vectors of keys.
 ///   bits       ..1....1.1     bytes  0 2 7 0 ..      keys  2 (64 word + 1 + byte) + (is an end)
-[[gnu::always_inline]] inline int store_keys(std::uint64_t bits, Index word, Index before,
-                                             Key* keys) {
+/// Unused where a register holds less than a row.
+[[gnu::always_inline, maybe_unused]] inline int store_keys(std::uint64_t bits, Index word,
+                                                           Index before, Key* keys) {
   if constexpr (!kHasByteCompress) {
     return static_cast<int>(find_keys_of_word(bits, word, before, keys));
   } else {

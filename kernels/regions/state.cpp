@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/exported.hpp"
-#include "core/features.hpp"
+#include "regions/fill_kernels.hpp"
 #include "thinbench/enumeration.hpp"
 
 namespace thinbench::detail {
@@ -21,35 +21,33 @@ std::unique_ptr<ListState> make_lists(const ListSetting& setting) {
 
 std::vector<Variant<ListState>> list_variants() {
   VariantList<ListState> list;
-  for (const Isa isa : all_isas()) list.add_with_threads("simd_runs", isa, &make_lists, {2});
+  for (const Isa isa : isas_of<RunEngine>()) {
+    list.add_with_threads("simd_runs", isa, &make_lists, {2});
+  }
   return list.take();
 }
 
-/// A variant for the baseline, and one for each ISA that has more of the features.
-template <class State>
-std::vector<Variant<State>> variants_with(Features used, std::string_view of_baseline,
-                                          std::string_view of_others) {
+/// A variant for the baseline, and one for each other ISA that the kernels are compiled for.
+template <class State, class Kernels>
+std::vector<Variant<State>> variants_of(std::string_view of_baseline, std::string_view of_others) {
   VariantList<State> list;
-  for (const Isa isa : isas_with(used)) {
+  for (const Isa isa : isas_of<Kernels>()) {
     list.add(isa == Isa::baseline ? of_baseline : of_others, isa, &make<State>, {1});
   }
   return list.take();
 }
 
 std::vector<Variant<LabelState>> label_variants() {
-  return variants_with<LabelState>(feature("popcnt") | feature("avx2") | feature("avx512bw") |
-                                       feature("avx512vpopcntdq"),
-                                   "bitpacked_contacts", "simd_contacts");
+  return variants_of<LabelState, LabelEngine>("bitpacked_contacts", "simd_contacts");
 }
 
 std::vector<Variant<FillState>> fill_variants() {
-  return variants_with<FillState>(feature("bmi2") | feature("avx512bw") | feature("gfni"),
-                                  "bitpacked_flood", "simd_flood");
+  return variants_of<FillState, FloodKernels>("bitpacked_flood", "simd_flood");
 }
 
 std::vector<Variant<EulerState>> euler_variants() {
   VariantList<EulerState> list;
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<EulerKernels>()) {
     list.add_with_threads(isa == Isa::baseline ? "bitpacked" : "simd_bitpacked", isa,
                           &make<EulerState>, {1});
   }
@@ -85,19 +83,19 @@ std::int64_t EulerState::count(const ConstBitPlaneView& image) const {
   return number;
 }
 
-void FillState::check(const FillParameters& parameters, Index width, Index height) {
+void FillState::check(const HoleFilling& filling, Index width, Index height) {
   require_regions_size(width, height);
-  require_max_area(parameters.max_area);
+  require_filling(filling);
 }
 
 FillState::FillState(const FillSetting& setting)
     : conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       image_(setting.isa, setting.width, setting.height),
-      filler_(setting.isa, setting.objects, setting.max_area),
+      filler_(setting.isa, setting),
       filled_(setting.width, setting.height) {}
 
 std::span<const ListOperation> list_operations() {
-  static const auto& operations = kept(std::vector<ListOperation>{
+  static const auto& operations = never_destroyed(std::vector<ListOperation>{
       {true, "holes", "objects (8-connected) and their holes, with areas and centres",
        list_variants()},
       {false, "components", "objects (8-connected) alone, with areas and centres",
@@ -106,7 +104,7 @@ std::span<const ListOperation> list_operations() {
 }
 
 std::span<const LabelOperation> label_operations() {
-  static const auto& operations = kept(std::vector<LabelOperation>{
+  static const auto& operations = never_destroyed(std::vector<LabelOperation>{
       {LabelTask::image_eight, "label_image", "label image of 8-connected objects",
        label_variants()},
       {LabelTask::image_four, "label_image_4", "label image of 4-connected objects",
@@ -122,7 +120,7 @@ std::span<const LabelOperation> label_operations() {
 }
 
 std::span<const EulerOperation> euler_operations() {
-  static const auto& operations = kept(std::vector<EulerOperation>{
+  static const auto& operations = never_destroyed(std::vector<EulerOperation>{
       {Connectivity::eight, "euler_number", "8-connected objects minus 4-connected holes",
        euler_variants()},
       {Connectivity::four, "euler_number_4", "4-connected objects minus 8-connected holes",
@@ -131,7 +129,7 @@ std::span<const EulerOperation> euler_operations() {
 }
 
 std::span<const FillOperation> fill_operations() {
-  static const auto& operations = kept(std::vector<FillOperation>{
+  static const auto& operations = never_destroyed(std::vector<FillOperation>{
       {Connectivity::eight, "fill_holes",
        "objects with all that they enclose, interior contours filled", fill_variants()},
       {Connectivity::four, "fill_holes_4", "4-connected objects with all that they enclose",
@@ -152,14 +150,15 @@ const EulerOperation& operation_of(const EulerParameters& parameters) {
   return operation_with(parameters.objects, euler_operations(), "objects");
 }
 
-const FillOperation& operation_of(const FillParameters& parameters) {
-  require_connectivity(static_cast<int>(parameters.objects));
-  return operation_with(parameters.objects, fill_operations(), "objects");
+const FillOperation& operation_of(const HoleFilling& filling) {
+  require_filling(filling);
+  return operation_with(filling.objects, fill_operations(), "objects");
 }
 
-void require_max_area(std::int64_t max_area) {
-  require(max_area >= 0,
-          [&] { return "max_area: expected at least 0, got " + std::to_string(max_area); });
+void require_filling(const HoleFilling& filling) {
+  require_connectivity(static_cast<int>(filling.objects));
+  require(filling.max_area >= 0,
+          [&] { return "max_area: expected at least 0, got " + std::to_string(filling.max_area); });
 }
 
 }  // namespace thinbench::detail

@@ -109,18 +109,14 @@ class EulerState {
   ThreadTeam team_;
 };
 
-struct FillParameters {
-  Connectivity objects;
-  std::int64_t max_area = kAnyHoleArea;
-};
-using FillSetting = Setting<FillParameters>;
+using FillSetting = Setting<HoleFilling>;
 
 /// Objects with their holes filled.
 class FillState {
  public:
-  using Parameters = FillParameters;
+  using Parameters = HoleFilling;
 
-  static void check(const FillParameters& parameters, Index width, Index height);
+  static void check(const HoleFilling& filling, Index width, Index height);
   explicit FillState(const FillSetting& setting);
 
   void run(const ConstImageView& source, const ImageView& destination) {
@@ -154,9 +150,9 @@ using FillOperation = Operation<Connectivity, FillState>;
 [[nodiscard]] const ListOperation& operation_of(const ListParameters& parameters);
 [[nodiscard]] const LabelOperation& operation_of(const LabelParameters& parameters);
 [[nodiscard]] const EulerOperation& operation_of(const EulerParameters& parameters);
-[[nodiscard]] const FillOperation& operation_of(const FillParameters& parameters);
+[[nodiscard]] const FillOperation& operation_of(const HoleFilling& filling);
 
-/// Rejects a negative area.
-void require_max_area(std::int64_t max_area);
+/// Rejects another connectivity than 4 and 8, and a negative area.
+void require_filling(const HoleFilling& filling);
 
 }  // namespace thinbench::detail

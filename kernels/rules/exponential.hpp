@@ -3,7 +3,7 @@
 
 namespace thinbench::detail {
 
-/// Operations beyond + - *; float_lanes.hpp specialises this for batches.
+/// Operations beyond + - *; techniques/float_nets.hpp specialises this for batches.
 template <class Real>
 struct RealOps;
 

@@ -1,4 +1,4 @@
-// What is compiled from the circuits of built-in rules, for every ISA.
+// What is compiled from the circuits of built-in rules, per ISA.
 #pragma once
 
 #include "scan/bound_rule.hpp"

@@ -1,4 +1,4 @@
-// The scan functions of built-in rules. Compiled once for every ISA.
+// The scan functions of built-in rules. Compiled per ISA.
 //
 // Cost per register: of whole rows 1 load, 1 store and 4 instructions for the two neighbours (2
 // lane shifts, 2 funnel shifts; 6 without VBMI2); of lanes 1 load, 1 store and 2 shifts. In

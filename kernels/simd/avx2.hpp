@@ -174,11 +174,6 @@ inline ByteBatch pack(const Halves& a) {
   return _mm256_packus_epi16(a.low, a.high);
 }
 
-// Saturation preserves signs.
-inline std::uint64_t nonnegative_bits(const Halves& a) {
-  return ~static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_packs_epi16(a.low, a.high)));
-}
-
 inline ByteBatch first_repeated(ByteBatch a) {
   const __m256i first = _mm256_broadcastb_epi8(_mm256_castsi256_si128(a));
   return _mm256_alignr_epi8(a, _mm256_permute2x128_si256(a, first, 0x02), 15);
@@ -188,35 +183,6 @@ inline ByteBatch last_repeated(ByteBatch a) {
   const __m128i top = _mm256_extracti128_si256(a, 1);
   const __m256i last = _mm256_broadcastb_epi8(_mm_srli_si128(top, 15));
   return _mm256_alignr_epi8(_mm256_permute2x128_si256(a, last, 0x21), a, 1);
-}
-
-inline ByteMask byte_mask(std::uint64_t bits) {
-  const __m256i lanes = spread_bits(bits);
-  return lanes;
-}
-
-inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
-  return _mm256_add_epi8(sum, _mm256_and_si256(mask, value));
-}
-
-inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
-  return _mm256_add_ps(sum, _mm256_and_ps(mask, value));
-}
-
-inline LaneMask lane_mask(std::uint64_t bits) {
-  return _mm256_castsi256_ps(lanes_of_bits(static_cast<std::uint32_t>(bits)));
-}
-
-inline std::uint64_t bits_of(LaneMask lanes) {
-  return static_cast<unsigned>(_mm256_movemask_ps(lanes));
-}
-
-// The permutation uses three bits of the index; the fourth selects the half.
-inline FloatBatch look_up_16(const float* table, FloatBatch index) {
-  const __m256i i = _mm256_cvtps_epi32(index);
-  const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), i);
-  const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), i);
-  return _mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(i, 28)));
 }
 
 }  // namespace THINBENCH_ISA

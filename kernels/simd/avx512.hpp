@@ -1,5 +1,5 @@
-// The vocabulary on 512-bit registers: AVX-512 F, CD, DQ, BW and VL, and VBMI2 and VPOPCNTDQ where
-// the ISA has them.
+// The vocabulary on 512-bit registers: AVX-512 F, CD, DQ, BW and VL, and VBMI, VBMI2, VPOPCNTDQ and
+// GFNI where the ISA has them.
 #pragma once
 
 #include <immintrin.h>
@@ -235,8 +235,6 @@ inline WordBatch next_word(WordBatch a) {
   return _mm512_alignr_epi64(_mm512_setzero_si512(), a, 1);
 }
 
-// Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Permutations use the
-// low three bits of an index, so lane 0 gets lane 8 - n.
 inline WordBatch previous_word(WordBatch a, WordBatch before) {
   return _mm512_alignr_epi64(a, before, 7);
 }
@@ -253,7 +251,7 @@ inline WordBatch sum_with_carry(WordBatch a, WordBatch b, std::uint64_t& carry) 
   return _mm512_mask_sub_epi64(sum, static_cast<__mmask8>(entering), sum, ones);
 }
 
-#ifdef __AVX512VBMI2__
+#ifdef __GFNI__
 
 inline WordBatch reversed(WordBatch row) {
   const __m512i backwards = _mm512_set_epi8(
@@ -299,6 +297,8 @@ inline Block lowest_word(std::uint64_t word) {
   return _mm512_maskz_set1_epi64(1, static_cast<long long>(word));
 }
 
+// Two permutations, which use the low three bits of an index, so that lane -1 is lane 7; and a
+// funnel shift, without VBMI2 two shifts and an OR.
 inline WordBatch rotated(WordBatch row, Index pixels) {
   const __m512i lanes = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
   const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / 64));
@@ -393,11 +393,6 @@ inline ByteBatch pack(const Halves& a) {
   return _mm512_packus_epi16(a.low, a.high);
 }
 
-// Saturation preserves signs.
-inline std::uint64_t nonnegative_bits(const Halves& a) {
-  return ~_mm512_movepi8_mask(_mm512_packs_epi16(a.low, a.high));
-}
-
 inline ByteBatch first_repeated(ByteBatch a) {
   const __m512i first = _mm512_broadcastb_epi8(_mm512_castsi512_si128(a));
   return _mm512_alignr_epi8(a, _mm512_alignr_epi64(a, first, 6), 15);
@@ -407,30 +402,6 @@ inline ByteBatch last_repeated(ByteBatch a) {
   const __m128i top = _mm512_extracti32x4_epi32(a, 3);
   const __m512i last = _mm512_broadcastb_epi8(_mm_srli_si128(top, 15));
   return _mm512_alignr_epi8(_mm512_alignr_epi64(last, a, 2), a, 1);
-}
-
-inline ByteMask byte_mask(std::uint64_t bits) {
-  return static_cast<__mmask64>(bits);
-}
-
-inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
-  return _mm512_mask_add_epi8(sum, mask, sum, value);
-}
-
-inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
-  return _mm512_mask_add_ps(sum, mask, sum, value);
-}
-
-inline LaneMask lane_mask(std::uint64_t bits) {
-  return static_cast<__mmask16>(bits);
-}
-
-inline std::uint64_t bits_of(LaneMask lanes) {
-  return static_cast<__mmask16>(lanes);
-}
-
-inline FloatBatch look_up_16(const float* table, FloatBatch index) {
-  return _mm512_permutexvar_ps(_mm512_cvtps_epi32(index), _mm512_loadu_ps(table));
 }
 
 }  // namespace THINBENCH_ISA

@@ -13,14 +13,6 @@ inline auto xsimd::batch<std::uint64_t, xsimd::neon64>::operator~() const -> bat
   return ~data;
 }
 
-// xsimd 8 divides by an estimate of the reciprocal, which is not exact.
-template <>
-inline auto xsimd::batch<float, xsimd::neon64>::operator/=(const batch& divisor) noexcept
-    -> batch& {
-  data = vdivq_f32(data, divisor.data);
-  return *this;
-}
-
 namespace thinbench::detail {
 
 inline namespace THINBENCH_ISA {
@@ -165,46 +157,12 @@ inline ByteBatch pack(const Halves& a) {
   return vqmovun_high_s16(vqmovun_s16(a.low), a.high);
 }
 
-inline std::uint64_t nonnegative_bits(const Halves& a) {
-  return bits_of_bytes(vcgezq_s8(vqmovn_high_s16(vqmovn_s16(a.low), a.high)));
-}
-
 inline ByteBatch first_repeated(ByteBatch a) {
   return vextq_u8(vdupq_laneq_u8(a, 0), a, 15);
 }
 
 inline ByteBatch last_repeated(ByteBatch a) {
   return vextq_u8(a, vdupq_laneq_u8(a, 15), 1);
-}
-
-inline ByteMask byte_mask(std::uint64_t bits) {
-  return ByteMask(static_cast<uint8x16_t>(spread_bits(bits)));
-}
-
-inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
-  return vaddq_s8(sum, vandq_s8(vreinterpretq_s8_u8(mask), value));
-}
-
-inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
-  const uint32x4_t selected = vandq_u32(mask, vreinterpretq_u32_f32(value));
-  return vaddq_f32(sum, vreinterpretq_f32_u32(selected));
-}
-
-inline LaneMask lane_mask(std::uint64_t bits) {
-  constexpr std::uint32_t bit[] = {1, 2, 4, 8};
-  return LaneMask(vtstq_u32(vdupq_n_u32(static_cast<std::uint32_t>(bits)), vld1q_u32(bit)));
-}
-
-inline std::uint64_t bits_of(LaneMask lanes) {
-  return bits_of_lanes(lanes);
-}
-
-// 64 bytes are one table: lane i selects bytes 4 index to 4 index + 3.
-inline FloatBatch look_up_16(const float* table, FloatBatch index) {
-  const uint8x16x4_t bytes = vld1q_u8_x4(reinterpret_cast<const std::uint8_t*>(table));
-  const uint32x4_t first = vmulq_n_u32(vcvtq_u32_f32(index), 0x04040404);
-  const uint32x4_t places = vaddq_u32(first, vdupq_n_u32(0x03020100));
-  return vreinterpretq_f32_u8(vqtbl4q_u8(bytes, vreinterpretq_u8_u32(places)));
 }
 
 }  // namespace THINBENCH_ISA

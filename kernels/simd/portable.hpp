@@ -115,44 +115,12 @@ inline ByteBatch pack(const Halves& a) {
   return narrowed<ByteBatch>(a, [](int lane) { return lane < 0 ? 0 : lane > 255 ? 255 : lane; });
 }
 
-inline std::uint64_t nonnegative_bits(const Halves& a) {
-  return nonzero_bits(narrowed<ByteBatch>(a, [](int lane) { return lane >= 0; }));
-}
-
 inline ByteBatch first_repeated(ByteBatch a) {
   return ByteBatch::lanes([&](std::size_t i) { return a[i > 0 ? i - 1 : 0]; });
 }
 
 inline ByteBatch last_repeated(ByteBatch a) {
   return ByteBatch::lanes([&](std::size_t i) { return a[i + 1 < a.size ? i + 1 : i]; });
-}
-
-inline ByteMask byte_mask(std::uint64_t bits) {
-  return spread_bits(bits) != ByteBatch(std::uint8_t{0});
-}
-
-inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
-  const ByteMask::register_type lanes = mask;
-  return SignedByteBatch::lanes(
-      [&](std::size_t i) { return lanes[i] ? sum[i] + value[i] : sum[i]; });
-}
-
-inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
-  return sum + simd::select(mask, value, FloatBatch(0.0F));
-}
-
-inline LaneMask lane_mask(std::uint64_t bits) {
-  const FloatBatch zero(0.0F);
-  return FloatBatch::lanes([&](std::size_t i) { return bits >> i & 1; }) != zero;
-}
-
-inline std::uint64_t bits_of(LaneMask mask) {
-  const LaneMask::register_type lanes = mask;
-  return bits_where(lanes.size(), [&](std::size_t i) { return lanes[i]; });
-}
-
-inline FloatBatch look_up_16(const float* table, FloatBatch index) {
-  return FloatBatch::lanes([&](std::size_t i) { return table[static_cast<int>(index[i])]; });
 }
 
 }  // namespace THINBENCH_ISA

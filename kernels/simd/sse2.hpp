@@ -113,11 +113,6 @@ inline ByteBatch pack(const Halves& a) {
   return _mm_packus_epi16(a.low, a.high);
 }
 
-// Saturation preserves signs.
-inline std::uint64_t nonnegative_bits(const Halves& a) {
-  return static_cast<std::uint16_t>(~_mm_movemask_epi8(_mm_packs_epi16(a.low, a.high)));
-}
-
 inline ByteBatch first_repeated(ByteBatch a) {
   return _mm_or_si128(_mm_slli_si128(a, 1), _mm_and_si128(a, _mm_cvtsi32_si128(0xFF)));
 }
@@ -125,36 +120,6 @@ inline ByteBatch first_repeated(ByteBatch a) {
 inline ByteBatch last_repeated(ByteBatch a) {
   const __m128i last = _mm_slli_si128(_mm_srli_si128(a, 15), 15);
   return _mm_or_si128(_mm_srli_si128(a, 1), last);
-}
-
-inline ByteMask byte_mask(std::uint64_t bits) {
-  const __m128i lanes = spread_bits(bits);
-  return lanes;
-}
-
-inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
-  return _mm_add_epi8(sum, _mm_and_si128(mask, value));
-}
-
-inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
-  return _mm_add_ps(sum, _mm_and_ps(mask, value));
-}
-
-inline LaneMask lane_mask(std::uint64_t bits) {
-  const __m128i lane_bit = _mm_setr_epi32(1, 2, 4, 8);
-  const __m128i all = _mm_set1_epi32(static_cast<int>(bits));
-  return _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_and_si128(all, lane_bit), lane_bit));
-}
-
-inline std::uint64_t bits_of(LaneMask lanes) {
-  return static_cast<unsigned>(_mm_movemask_ps(lanes));
-}
-
-inline FloatBatch look_up_16(const float* table, FloatBatch index) {
-  float indices[4];
-  index.store_unaligned(indices);
-  const auto entry = [&](int lane) { return table[static_cast<int>(indices[lane])]; };
-  return _mm_setr_ps(entry(0), entry(1), entry(2), entry(3));
 }
 
 }  // namespace THINBENCH_ISA

@@ -1,6 +1,7 @@
 // The vocabulary of vector operations. Each architecture file (sse2.hpp, avx2.hpp, avx512.hpp,
-// neon.hpp) and portable.hpp define the functions declared here; only this directory uses
-// intrinsics or tests for an architecture. Kernels include vector.hpp. For ISA files only.
+// neon.hpp) and portable.hpp define the functions declared here; only this directory and
+// techniques/masked_lanes.hpp use intrinsics or test for an architecture. Kernels include
+// vector.hpp. For ISA files only.
 //
 // Types and functions have the same name but another meaning in each ISA, so they are in an inline
 // namespace of the ISA: otherwise the linker would merge functions that were not inlined.
@@ -80,16 +81,13 @@ using BatchOf = simd::batch<T, Architecture>;
 
 using WordBatch = BatchOf<std::uint64_t>;  // 64 packed pixels per lane
 using ByteBatch = BatchOf<std::uint8_t>;
-using SignedByteBatch = BatchOf<std::int8_t>;
 using WideBatch = BatchOf<std::int16_t>;
 using IntBatch = BatchOf<std::int32_t>;
-using FloatBatch = BatchOf<float>;
 using Lanes16 = BatchOf<std::uint16_t>;
 using Lanes32 = BatchOf<std::uint32_t>;
 
-/// Masks of lanes: a mask register where the ISA has them, else lanes of all ones.
-using LaneMask = simd::batch_bool<float, Architecture>;
-using ByteMask = simd::batch_bool<std::uint8_t, Architecture>;
+/// In every batch.
+inline constexpr Index kBatchBytes = static_cast<Index>(ByteBatch::size);
 
 /// Bytes widened to 16 bits, in two halves, in the order of the unpack instructions (within 128
 /// bits on AVX2 and AVX-512). `pack` restores the order; code in between must not depend on it.
@@ -275,33 +273,11 @@ template <class Block = WordBatch>
 /// Narrows to bytes, in order, saturating to [0, 255].
 [[gnu::always_inline]] inline ByteBatch pack(const Halves& a);
 
-/// Bit i is set where the lane that `pack` narrows to byte i is not negative.
-[[gnu::always_inline]] inline std::uint64_t nonnegative_bits(const Halves& a);
-
 /// Byte i is byte i - 1 of `a`; byte 0 is byte 0.
 [[gnu::always_inline]] inline ByteBatch first_repeated(ByteBatch a);
 
 /// Byte i is byte i + 1 of `a`; the last byte is the last byte.
 [[gnu::always_inline]] inline ByteBatch last_repeated(ByteBatch a);
-
-/// Selects byte i where bit i is set; bits beyond the lanes are ignored.
-[[gnu::always_inline]] inline ByteMask byte_mask(std::uint64_t bits);
-
-/// sum + value in the lanes of `mask`, sum elsewhere: sum + value * n for inputs n of 0 and 1.
-[[gnu::always_inline]] inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum,
-                                                        SignedByteBatch value);
-[[gnu::always_inline]] inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value);
-
-// ---- Single precision.
-
-/// Selects lane i where bit i is set; bits beyond the lanes are ignored.
-[[gnu::always_inline]] inline LaneMask lane_mask(std::uint64_t bits);
-
-/// Bit i is set where lane i is selected.
-[[gnu::always_inline]] inline std::uint64_t bits_of(LaneMask lanes);
-
-/// table[index] for indices 0.0 to 15.0.
-[[gnu::always_inline]] inline FloatBatch look_up_16(const float* table, FloatBatch index);
 
 }  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail

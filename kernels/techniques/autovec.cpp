@@ -1,5 +1,5 @@
 // The published arithmetic on bytes 0 and 1, written for the compiler's vectoriser: whole rows, no
-// branches, no early exit. Compiled for every ISA at -O3, as the baseline for hand-written SIMD.
+// branches, no early exit. Compiled per ISA at -O3, as the baseline for hand-written SIMD.
 #include "core/exported.hpp"
 #include "techniques/passes.hpp"
 

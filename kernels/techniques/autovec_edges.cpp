@@ -1,5 +1,5 @@
 // The reference's arithmetic in a form that compilers vectorise: rows without branches, border
-// columns separately. Compiled for every ISA at -O3: the baseline for hand-written SIMD. Each pixel
+// columns separately. Compiled per ISA at -O3: the baseline for hand-written SIMD. Each pixel
 // takes 9 (or 25) loads; rows share no sums.
 #include "techniques/autovec_edges.hpp"
 

@@ -8,5 +8,7 @@ namespace thinbench::detail {
 struct AutovecEdgeKernels {
   EdgeTable<EdgesToBytes> bytes;
 };
+template <>
+inline constexpr Features kGainsFrom<AutovecEdgeKernels> = kEdgeFeatures;
 
 }  // namespace thinbench::detail

@@ -1,7 +1,7 @@
 // The midpoint scan on bytes, in loops that compilers vectorise. Counts, for each pixel, the
 // foreground pixels before and after it in its run; a row of counts is computed from the adjacent
 // row. Diagonals are columns that shift by one pixel per row; rows are transposed and scanned as
-// columns. Compiled for every ISA at -O3.
+// columns. Compiled per ISA at -O3.
 #include <algorithm>
 #include <limits>
 
@@ -46,7 +46,7 @@ struct Scratch {
 
 /// Columns of an image that shift by `shift` pixels to the east per row.
 template <class Count>
-struct Columns {
+struct ShearedColumns {
   ConstBytePlaneView source;
   BytePlaneView target;
   Index shift;
@@ -130,9 +130,10 @@ void scan(Directions directions, const ConstBytePlaneView& source, const BytePla
           std::uint64_t* scratch) {
   const Scratch sizes = Scratch::of(source.width, source.height);
   auto* counts = reinterpret_cast<Count*>(scratch + 2 * sizes.transposed_words());
-  if (directions.has(Direction::columns)) Columns<Count>{source, target, 0, counts}.mark();
-  if (directions.has(Direction::diagonals)) Columns<Count>{source, target, 1, counts}.mark();
-  if (directions.has(Direction::antidiagonals)) Columns<Count>{source, target, -1, counts}.mark();
+  if (directions.has(Direction::columns)) ShearedColumns<Count>{source, target, 0, counts}.mark();
+  if (directions.has(Direction::diagonals)) ShearedColumns<Count>{source, target, 1, counts}.mark();
+  if (directions.has(Direction::antidiagonals))
+    ShearedColumns<Count>{source, target, -1, counts}.mark();
   if (!directions.has(Direction::rows)) return;
   const auto transposed_plane = [&](std::uint64_t* memory) {
     return BytePlaneView{reinterpret_cast<std::uint8_t*>(memory), source.height, source.width,
@@ -142,7 +143,7 @@ void scan(Directions directions, const ConstBytePlaneView& source, const BytePla
   const BytePlaneView marks = transposed_plane(scratch + sizes.transposed_words());
   transpose(source, transposed, [](std::uint8_t, std::uint8_t pixel) { return pixel; });
   std::fill_n(marks.data, sizes.transposed_bytes, std::uint8_t{0});
-  Columns<Count>{transposed, marks, 0, counts}.mark();
+  ShearedColumns<Count>{transposed, marks, 0, counts}.mark();
   transpose(marks, target,
             [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
 }

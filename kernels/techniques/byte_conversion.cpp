@@ -1,4 +1,4 @@
-// Conversions between byte images and planes of bytes. Compiled for every ISA.
+// Conversions between byte images and planes of bytes. Compiled per ISA.
 #include "simd/vector.hpp"
 #include "techniques/byte_planes.hpp"
 

@@ -12,8 +12,8 @@
 
 #include <type_traits>
 
-#include "simd/vector.hpp"
 #include "simd/word.hpp"
+#include "techniques/masked_lanes.hpp"
 #include "techniques/passes.hpp"
 #include "thinbench/nets.hpp"
 

@@ -38,7 +38,7 @@ std::unique_ptr<MidpointState> make_bitpacked_scan(const MidpointSetting& settin
 VariantList<MidpointState> midpoint_techniques() {
   VariantList<MidpointState> list;
   list.add_with_threads("bitpacked", Isa::baseline, &make_bitpacked_scan, {1});
-  for (const Isa isa : all_isas()) list.add("autovec", isa, &make_byte_scan, {0});
+  for (const Isa isa : isas_of<ByteScanKernels>()) list.add("autovec", isa, &make_byte_scan, {0});
   return list;
 }
 

@@ -70,7 +70,7 @@ using NetPass = std::uint64_t (*)(const NetModel& net, const std::uint64_t* fixe
                                   const ConstBitPlaneView& source, const BitPlaneView& target,
                                   const Band& band);
 
-/// Compiled for every ISA.
+/// Compiled per ISA.
 struct NetPasses {
   std::array<NetPass, 3> float_bits;  // by NetKind
   NetPass fixed_point;                // two layers, linear threshold

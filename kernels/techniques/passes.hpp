@@ -1,5 +1,5 @@
-// The interface of engines: passes, which are functions that apply one sub-iteration of a rule to a
-// band of rows, and tables of passes by rule.
+// The interface of the techniques that thin: passes, which are functions that apply one
+// sub-iteration of a rule to a band of rows, and tables of passes by rule.
 #pragma once
 
 #include <cstddef>
@@ -88,7 +88,7 @@ struct LutPasses {
   static const PassesByRule<std::uint8_t> kLutSliding;
 };
 
-/// Compiled for every ISA.
+/// Compiled per ISA.
 struct AutovecPasses {
   PassesByRule<std::uint8_t> bytes;
 };

@@ -1,5 +1,5 @@
 // Nets on packed pixels: changed neighbourhoods only (changed_pixels.hpp), a word of neighbours is
-// the mask of an addition. Compiled for every ISA.
+// the mask of an addition. Compiled per ISA.
 //
 // simd_float_bits: in single precision, one pixel per lane (float_nets.hpp).
 //

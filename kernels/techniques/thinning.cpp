@@ -75,7 +75,7 @@ void add_net(const study::NetBody& net, ThinningVariants& list) {
     list.add("lut_sliding", Isa::baseline, &make_lut_sliding, {kLutSliding});
   }
   list.add_with_threads("bitpacked", Isa::baseline, &make_bitpacked, {kBitpacked});
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<NetPasses>()) {
     list.add_with_threads("simd_float_bits", isa, &make_float_bits, {kFloatBits});
     if (net.model.kind == NetKind::linear) {
       list.add("simd_fixed_point", isa, &make_fixed_point, {kFixedPoint});
@@ -90,7 +90,7 @@ void add_built_in(BuiltInRule rule, ThinningVariants& list) {
     list.add("lut_sliding", Isa::baseline, &make_lut_sliding, {kLutSliding});
   }
   list.add_with_threads("bitpacked", Isa::baseline, &make_bitpacked, {kBitpacked});
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_of<SimdPasses>()) {
     list.add("autovec", isa, &make_autovec, {kAutovec});
     list.add("simd_bytes", isa, &make_bytes, {kBytes});
     list.add_with_threads("simd_bitpacked", isa, &make_simd_words, {kSimdWords});

@@ -70,7 +70,9 @@ std::unique_ptr<EdgeState> make_autovec_edges(const EdgeSetting& setting) {
 
 EdgeVariants edge_techniques() {
   EdgeVariants list;
-  for (const Isa isa : isas_with(kEdgeFeatures)) list.add("autovec", isa, &make_autovec_edges, {0});
+  for (const Isa isa : isas_of<AutovecEdgeKernels>()) {
+    list.add("autovec", isa, &make_autovec_edges, {0});
+  }
   return list;
 }
 

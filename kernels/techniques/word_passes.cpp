@@ -1,4 +1,4 @@
-// The word scan of built-in rules on vectors. Compiled once for every ISA.
+// The word scan of built-in rules on vectors. Compiled per ISA.
 //
 // simd_bitpacked: 64 pixels per lane. Cost per register: 3 loads, 1 store, 6 operations for
 // neighbours (2 with funnel shifts), the rule's gates, 1 gate to detect changes. Each operation

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/turns.hpp"
-#include "thinbench/batch.hpp"
+#include "thinbench/many.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -29,9 +29,9 @@ std::vector<Stack> stacks_of(const std::vector<Canvas>& canvases) {
 }
 
 /// Thins stacks in its own memory.
-class StackThinner {
+class CanvasThinner {
  public:
-  StackThinner(const ThinningCall& call, const CanvasPainter& painter)
+  CanvasThinner(const ThinningCall& call, const CanvasPainter& painter)
       : call_(call.on_one_thread()), painter_(painter) {}
 
   /// Returns the maximum number of iterations.
@@ -40,7 +40,7 @@ class StackThinner {
     for (std::size_t i = 0; i < stack.size(); ++i) {
       painter_.draw(stack[i].item, images_.image(static_cast<Index>(i)));
     }
-    const int iterations = (*batch_)(images_, images_);
+    const int iterations = (*thinner_)(images_, images_);
     for (std::size_t i = 0; i < stack.size(); ++i) {
       painter_.take(stack[i].item, images_.image(static_cast<Index>(i)));
     }
@@ -52,9 +52,9 @@ class StackThinner {
   void prepare(const Stack& stack) {
     const Canvas& first = stack.front();
     const auto count = static_cast<Index>(stack.size());
-    if (!batch_ || first.width != images_.width || first.height != images_.height) {
-      batch_.reset();
-      batch_.emplace(call_.rule, first.width, first.height, call_.thinning, call_.execution);
+    if (!thinner_ || first.width != images_.width || first.height != images_.height) {
+      thinner_.reset();
+      thinner_.emplace(call_.rule, first.width, first.height, call_.thinning, call_.execution);
     }
     pixels_.assign(static_cast<std::size_t>(first.width * first.height * count), 0);
     images_ = {pixels_.data(), count, first.width, first.height};
@@ -62,7 +62,7 @@ class StackThinner {
 
   ThinningCall call_;
   const CanvasPainter& painter_;
-  std::optional<ThinningBatch> batch_;
+  std::optional<StackThinner> thinner_;
   std::vector<std::uint8_t> pixels_;
   StackView images_;
 };
@@ -98,7 +98,7 @@ int thin_canvases(const ThinningCall& call, std::vector<Canvas> canvases,
   sort_by_size(canvases);
   const std::vector<Stack> stacks = stacks_of(canvases);
   return maximum_in_turns(team, stacks.size(), [&] {
-    return [&, thin_stack = StackThinner(call, painter)](std::size_t i) mutable {
+    return [&, thin_stack = CanvasThinner(call, painter)](std::size_t i) mutable {
       return thin_stack(stacks[i]);
     };
   });

@@ -207,9 +207,8 @@ class LabelPainter {
   bool in_place_;
 };
 
-/// Rejects what labels cannot be thinned with, before anything is written: the widest label has the
-/// fewest variants.
-void validate(const detail::ThinningCall& call, const std::vector<Label>& labels) {
+/// Rejects what labels cannot be thinned with.
+void check(const detail::ThinningCall& call) {
   using detail::require;
   const auto parameters = detail::thinning_parameters(call.rule, call.thinning);
   const std::string name(call.rule.name());
@@ -217,9 +216,6 @@ void validate(const detail::ThinningCall& call, const std::vector<Label>& labels
           name + ": border: expected background or keep for labels, got foreground");
   require(!parameters.rule->adds_pixels(),
           name + " adds pixels, which would belong to no label; apply it to an image");
-  Index widest = 0;
-  for (const Label& label : labels) widest = std::max(widest, label.columns.size);
-  static_cast<void>(detail::choose_thinning(parameters, widest, 1, call.on_one_thread().execution));
 }
 
 void clear(const LabelView& labels, const ThreadTeam& team) {
@@ -234,15 +230,15 @@ int thin_labels(const Rule& rule, ConstLabelView source, LabelView destination,
                 const Thinning& thinning, const Execution& execution) {
   detail::require_label_size(source.width, source.height);
   detail::check_views(source, destination, detail::InPlace::allowed);
-  detail::require_threads(execution.threads);
+  detail::require_execution(execution);
   const detail::ThinningCall call = {rule, thinning, execution};
+  check(call);
   const ThreadTeam team(execution.threads);
   std::vector<Run> runs = find_runs(source, team);
   std::vector<Label> labels = find_labels(runs);
   runs = grouped_runs(runs, labels);
   const bool keep_border = thinning.border.value_or(rule.border()) == Border::keep;
   choose_canvases(labels, source, keep_border);
-  validate(call, labels);
   const bool in_place = source.data == destination.data;
   if (!in_place) clear(destination, team);
   const LabelPainter painter(labels, runs, destination, in_place);

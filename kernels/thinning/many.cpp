@@ -1,6 +1,6 @@
 // Small images are drawn on canvases, which are thinned as stacks. Others are thinned one by one,
 // each by the thread that is free, and large ones by all threads.
-#include "thinning/many.hpp"
+#include "thinbench/many.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -12,68 +12,39 @@
 #include "core/checks.hpp"
 #include "core/turns.hpp"
 #include "engines/lanes.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/thinning.hpp"
 #include "thinning/canvases.hpp"
 
 namespace thinbench {
-namespace detail {
 namespace {
 
-/// Copies a row, ANDed with `mask`: words of 8 bytes, of which the last two may overlap.
-void copy_row(const std::uint8_t* from, std::uint8_t* to, Index count, std::uint8_t mask) {
+using namespace detail;
+
+/// Image i is sources[i], and its skeleton goes to destinations[i].
+struct ImageList {
+  std::span<const ConstImageView> sources;
+  std::span<const ImageView> destinations;
+};
+
+/// Copies a row: words of 8 bytes, of which the last two may overlap.
+void copy_row(const std::uint8_t* from, std::uint8_t* to, Index count) {
   constexpr Index step = sizeof(std::uint64_t);
-  const std::uint64_t mask_word = mask * (~std::uint64_t{0} / 255);
-  const auto copy_word = [&](Index x) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, from + x, step);
-    word &= mask_word;
-    std::memcpy(to + x, &word, step);
-  };
+  const auto copy_word = [&](Index x) { std::memcpy(to + x, from + x, step); };
   if (count < step) {
-    for (Index x = 0; x < count; ++x) to[x] = from[x] & mask;
+    for (Index x = 0; x < count; ++x) to[x] = from[x];
     return;
   }
   for (Index x = 0; x + step < count; x += step) copy_word(x);
   copy_word(count - step);
 }
 
-/// Copies the upper left part of an image to that of another, ANDed with `mask`.
-void copy_part(const ConstImageView& from, const ImageView& to, Index width, Index height,
-               std::uint8_t mask) {
-  if (from.stride == width && to.stride == width) width *= std::exchange(height, 1);
-  if (height == 1 && mask == 255) {
-    std::memcpy(to.data, from.data, static_cast<std::size_t>(width));
+/// Copies the upper left part of an image to that of another.
+void copy_part(const ConstImageView& from, const ImageView& to, Index width, Index height) {
+  if (from.stride == width && to.stride == width) {
+    std::memcpy(to.data, from.data, static_cast<std::size_t>(width * height));
     return;
   }
-  for (Index y = 0; y < height; ++y) copy_row(from.row(y), to.row(y), width, mask);
-}
-
-std::uint8_t foreground_of(const ImageList& images, std::size_t i) {
-  return images.foregrounds.empty() ? 255 : images.foregrounds[i];
-}
-
-/// Replaces 255 by the foreground that image i shall have.
-void set_foreground(const ImageList& images, std::size_t i) {
-  const std::uint8_t foreground = foreground_of(images, i);
-  const ImageView& written = images.destinations[i];
-  if (foreground != 255) copy_part(written, written, written.width, written.height, foreground);
-}
-
-/// Whether all threads thin the image together, as thin() would.
-bool is_large(const ConstImageView& image, const Execution& execution) {
-  return execution.threads > 1 && image.width * image.height >= kMinPixelsForThreads;
-}
-
-/// Rejects what some image cannot be thinned with, before anything is written: the widest has the
-/// fewest variants.
-ThinningParameters validated(const ThinningCall& call, const ImageList& images) {
-  require_threads(call.execution.threads);
-  const ThinningParameters parameters = thinning_parameters(call.rule, call.thinning);
-  Index widest = 0;
-  for (const ConstImageView& image : images.sources) widest = std::max(widest, image.width);
-  static_cast<void>(choose_thinning(parameters, widest, 1, call.execution));
-  return parameters;
+  for (Index y = 0; y < height; ++y) copy_row(from.row(y), to.row(y), width);
 }
 
 /// Whether at least 16 images, which fill the widest register, fit into the L2 cache.
@@ -118,7 +89,7 @@ Plan plan_for(const ThinningParameters& parameters, const ImageList& images,
   Plan plan;
   for (std::size_t i = 0; i < images.sources.size(); ++i) {
     const ConstImageView& image = images.sources[i];
-    if (is_large(image, execution)) {
+    if (use_threads(image.width, image.height, execution)) {
       plan.large.push_back(i);
     } else {
       const bool on_canvas = fits_lanes(image);
@@ -136,11 +107,11 @@ Plan plan_for(const ThinningParameters& parameters, const ImageList& images,
 CanvasPainter painter_of(const ImageList& images) {
   return {[&](std::size_t i, const ImageView& canvas) {
             const ConstImageView& source = images.sources[i];
-            copy_part(source, canvas, source.width, source.height, 255);
+            copy_part(source, canvas, source.width, source.height);
           },
           [&](std::size_t i, const ConstImageView& canvas) {
             const ImageView& to = images.destinations[i];
-            copy_part(canvas, to, to.width, to.height, foreground_of(images, i));
+            copy_part(canvas, to, to.width, to.height);
           }};
 }
 
@@ -157,9 +128,7 @@ class SingleThinner {
       width_ = image.width;
       height_ = image.height;
     }
-    const int iterations = (*thinner_)(images.sources[image.item], images.destinations[image.item]);
-    set_foreground(images, image.item);
-    return iterations;
+    return (*thinner_)(images.sources[image.item], images.destinations[image.item]);
   }
 
  private:
@@ -180,27 +149,24 @@ int thin_singles(const ThinningCall& call, const ImageList& images,
 
 }  // namespace
 
-int thin_list(const ThinningCall& call, const ImageList& images) {
-  check_lists(images.sources, images.destinations);
-  const ThinningParameters parameters = validated(call, images);
-  const Plan plan = plan_for(parameters, images, call.execution);
-  int iterations = 0;
-  for (const std::size_t i : plan.large) {
-    iterations = std::max(iterations, thin(call.rule, images.sources[i], images.destinations[i],
-                                           call.thinning, call.execution));
-    set_foreground(images, i);
-  }
-  const ThreadTeam team(call.execution.threads);
-  iterations = std::max(iterations, thin_singles(call, images, plan.singles, team));
-  return std::max(iterations, thin_canvases(call, plan.canvases, painter_of(images), team));
-}
-
-}  // namespace detail
-
 int thin_many(const Rule& rule, std::span<const ConstImageView> sources,
               std::span<const ImageView> destinations, const Thinning& thinning,
               const Execution& execution) {
-  return detail::thin_list({rule, thinning, execution}, {sources, destinations, {}});
+  check_lists(sources, destinations);
+  require_execution(execution);
+  const ThinningParameters parameters = thinning_parameters(rule, thinning);
+  const ThinningCall call = {rule, thinning, execution};
+  const ImageList images = {sources, destinations};
+  const Plan plan = plan_for(parameters, images, execution);
+  int iterations = 0;
+  for (const std::size_t i : plan.large) {
+    iterations = std::max(iterations, thin(rule, sources[i], destinations[i], thinning, execution));
+  }
+  const std::size_t most = std::max(plan.singles.size(), plan.canvases.size());
+  const ThreadTeam team(static_cast<int>(
+      std::clamp<std::size_t>(most, 1, static_cast<std::size_t>(execution.threads))));
+  iterations = std::max(iterations, thin_singles(call, images, plan.singles, team));
+  return std::max(iterations, thin_canvases(call, plan.canvases, painter_of(images), team));
 }
 
 }  // namespace thinbench

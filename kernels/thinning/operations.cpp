@@ -6,15 +6,15 @@
 namespace thinbench::detail {
 
 const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule) {
-  static const auto& built_in = kept(parallel_variants(true, false));
-  static const auto& removing = kept(parallel_variants(false, false));
-  static const auto& adding = kept(parallel_variants(false, true));
+  static const auto& built_in = never_destroyed(parallel_variants(true, false));
+  static const auto& removing = never_destroyed(parallel_variants(false, false));
+  static const auto& adding = never_destroyed(parallel_variants(false, true));
   if (rule.circuits) return built_in;
   return rule.adds_pixels() ? adding : removing;
 }
 
 std::span<const ThinningOperation> thinning_operations() {
-  static const auto& all = kept([] {
+  static const auto& all = never_destroyed([] {
     std::vector<ThinningOperation> operations;
     for (const RuleInfo& info : kRules) {
       const Rule rule = info.rule;
@@ -24,14 +24,6 @@ std::span<const ThinningOperation> thinning_operations() {
     return operations;
   }());
   return all;
-}
-
-const ThinningVariant& choose_thinning(const ThinningParameters& parameters, Index width,
-                                       Index height, const Execution& execution) {
-  require_size(width, height);
-  ThinningState::check(parameters, width, height);
-  return choose_variant(parameters.rule->operation, thinning_variants(*parameters.rule), width,
-                        height, execution);
 }
 
 ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinning) {
@@ -58,6 +50,12 @@ ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinnin
               ": border: expected background or keep, got foreground, which only rules that are "
               "functions of 3 x 3 pixels can have");
   return {body->complement, Border::background, max_iterations, true};
+}
+
+std::unique_ptr<ThinningState> make_thinning(const ThinningCall& call, Index width, Index height) {
+  const ThinningParameters parameters = thinning_parameters(call.rule, call.thinning);
+  return make_best_state(thinning_variants(*parameters.rule), width, height, parameters,
+                         call.execution);
 }
 
 }  // namespace thinbench::detail

@@ -17,11 +17,6 @@ namespace thinbench::detail {
 /// Throws std::invalid_argument for options that are out of range or that the rule cannot have.
 [[nodiscard]] ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinning);
 
-/// The variant that public functions use. Throws std::invalid_argument as they do.
-[[nodiscard]] const ThinningVariant& choose_thinning(const ThinningParameters& parameters,
-                                                     Index width, Index height,
-                                                     const Execution& execution);
-
 /// What a caller asks for.
 struct ThinningCall {
   Rule rule;
@@ -33,5 +28,9 @@ struct ThinningCall {
     return {rule, thinning, {.threads = 1, .isa = execution.isa}};
   }
 };
+
+/// The state for images of this size. Throws std::invalid_argument as thin() does.
+[[nodiscard]] std::unique_ptr<ThinningState> make_thinning(const ThinningCall& call, Index width,
+                                                           Index height);
 
 }  // namespace thinbench::detail

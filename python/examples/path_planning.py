@@ -47,9 +47,9 @@ def floor_plan() -> Mask:
 
 def plan_path(free: Mask, skeleton: Mask, width: float, start: Point, goal: Point) -> Pixels:
     """The shortest path on the skeleton, from start to goal, that is as wide as the robot everywhere."""
-    distance = thinbench.distance(free)
-    graph = thinbench.graph(with_points(skeleton, distance, width, [start, goal]), free,
-                            not_thin="ignore")  # the blocks at start and goal
+    distance = thinbench.distances(free)
+    graph = thinbench.skeleton_graph(with_points(skeleton, distance, width, [start, goal]), free,
+                                     not_thin="ignore")  # the blocks at start and goal
     nodes = [graph.node_pixels(node) for node in range(len(graph.nodes["kind"]))]
     narrow_node = np.array([2 * distance[tuple(pixels.T)].min() < width for pixels in nodes])
     narrow = narrow_node[[graph.edges["from"], graph.edges["to"]]].any(axis=0) | (graph.edges["width-min"] < width)

@@ -7,23 +7,26 @@
 
 from thinbench import compat
 from thinbench._binarise import binarise
-from thinbench._catalogue import cpu, named_rules, rules
-from thinbench._graph import PIXEL_CLASSES, classify_pixels, graph, medial_axis, prune
-from thinbench._images import (distance, edges, euler_number, fill_holes, fill_label_holes, label, label_values, localise,
-                               regions)
-from thinbench._label_graphs import graph_labels, prune_labels
-from thinbench._library import release_memory
+from thinbench._catalogue import isas, named_rules, rules
+from thinbench._graph import PIXEL_CLASSES, classify_pixels, medial_axis, prune, skeleton_graph
+from thinbench._images import (detect_edges, distances, euler_number, fill_holes, fill_holes_of_labels, find_objects,
+                               find_regions, label_image, label_objects, label_regions, label_values,
+                               localise_objects, squared_distances)
+from thinbench._label_graphs import graph_of_labels, prune_labels
+from thinbench._library import UNLIMITED, release_memory
 from thinbench._library import version as _version
 from thinbench._midpoints import midpoint_scan
 from thinbench._packed import thin_packed
-from thinbench._path import path
+from thinbench._path import find_path
 from thinbench._rules import Rule
 from thinbench._skeleton_graph import Cycle, Graph, GraphPath, Place
 from thinbench._thinning import apply, thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
 __all__ = [
-    "PIXEL_CLASSES", "Cycle", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise", "classify_pixels",
-    "compat", "cpu", "distance", "edges", "euler_number", "fill_holes", "fill_label_holes", "graph",
-    "graph_labels", "label", "label_values", "localise", "medial_axis", "midpoint_scan", "named_rules", "path",
-    "prune", "prune_labels", "regions", "release_memory", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]
+    "PIXEL_CLASSES", "UNLIMITED", "Cycle", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise",
+    "classify_pixels", "compat", "detect_edges", "distances", "euler_number", "fill_holes", "fill_holes_of_labels",
+    "find_objects", "find_path", "find_regions", "graph_of_labels", "isas", "label_image", "label_objects",
+    "label_regions", "label_values", "localise_objects", "medial_axis", "midpoint_scan", "named_rules", "prune",
+    "prune_labels", "release_memory", "rules", "skeleton_graph", "squared_distances", "thin", "thin_labels",
+    "thin_many", "thin_packed"]

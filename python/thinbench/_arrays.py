@@ -19,6 +19,8 @@ _BOOL = np.dtype(bool)
 _UINT8 = np.dtype(np.uint8)
 _BINARY = (_UINT8, _BOOL)
 
+_pack_image, _IMAGE_SIZE, _address = _library.IMAGE.pack, _library.IMAGE.size, _library.address
+
 
 def unmasked(image: Any, name: str = "image") -> Array:
     """An array, no element of which is masked."""
@@ -29,12 +31,14 @@ def unmasked(image: Any, name: str = "image") -> Array:
 
 
 def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool | None = False) -> Array:
-    """A bool or uint8 image, or with `max_dimensions` of 3 also a stack of images.
+    """A bool or uint8 image in rows, or with `max_dimensions` of 3 also a stack of images.
 
     What has the shape of a colour image is rejected as a stack where `stack` is None.
     """
     if type(image) is np.ndarray and image.ndim == 2 and image.dtype in _BINARY:
-        return image  # at once, as small images take a microsecond
+        stride, step = image.strides
+        if step == 1 and stride >= image.shape[1]:
+            return image  # at once, as small images take a microsecond
     image = unmasked(image, name)
     if image.dtype not in _BINARY:
         raise TypeError(f"{name}: expected dtype bool or uint8, got {image.dtype}; "
@@ -43,7 +47,7 @@ def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool
         advice = "; a stack of such images needs stack=True" if stack is None else ""
         raise ValueError(f"{name}: expected a binary image, got shape {image.shape}, which looks like colours; "
                          f"`thinbench.binarise({name})` makes a binary image{advice}")
-    return _with_dimensions(image, max_dimensions, name)
+    return with_rows(_with_dimensions(image, max_dimensions, name))
 
 
 def is_colour(image: Array) -> bool:
@@ -67,13 +71,13 @@ def labels(image: Any, name: str = "labels") -> Array:
 
 
 def grey(image: Any, name: str = "image") -> Array:
-    """A uint8 image of grey levels."""
+    """A uint8 image of grey levels in rows."""
     if type(image) is np.ndarray and image.ndim == 2 and image.dtype == _UINT8:
-        return image
+        return with_rows(image)
     image = unmasked(image, name)
     if image.dtype != _UINT8:
         raise TypeError(f"{name}: expected dtype uint8 of grey levels, got {image.dtype}")
-    return _with_dimensions(image, 2, name)
+    return with_rows(_with_dimensions(image, 2, name))
 
 
 def _with_dimensions(image: Array, max_dimensions: int, name: str = "image") -> Array:
@@ -100,41 +104,50 @@ def result_for(image: Array, out: Array | None, name: str = "out", dtype: npt.DT
     return out
 
 
-def source(image: Array) -> tuple[bytes, Array]:
-    """A thinbench_stack struct, and the array that it points to."""
-    if image.ndim == 2:
-        height, width = image.shape
-        stride, step = image.strides
-        if step != 1 or stride < width:
-            image = np.ascontiguousarray(image)
-            stride = width
-        return _library.STACK.pack(_library.address(image), 1, height, width, stride, 0), image
-    count, height, width = image.shape
-    image_stride, stride, step = image.strides
-    if step != 1 or stride < width or image_stride < height * stride:
-        image = np.ascontiguousarray(image)
-        stride, image_stride = width, height * width
-    return _library.STACK.pack(_library.address(image), count, height, width, stride, image_stride), image
+def with_rows(array: Array) -> Array:
+    """The array, or a copy whose rows are contiguous, one after another without overlap."""
+    stride, step = array.strides[-2:]
+    item = array.itemsize
+    overlaps = array.ndim == 3 and array.strides[0] < array.shape[1] * stride
+    if step != item or stride % item or stride < array.shape[-1] * item or overlaps:
+        return np.ascontiguousarray(array)
+    return array
+
+
+def image(array: Array) -> bytes:
+    """A thinbench_image struct of rows."""
+    height, width = array.shape
+    stride = array.strides[0]
+    return _pack_image(_IMAGE_SIZE, _address(array), width, height, stride if stride > width else width, 0)
+
+
+def images(source: Array, result: Array) -> tuple[bytes, bytes]:
+    """The structs of both; foreground of the result, which is contiguous, is 1 in an array of bool."""
+    height, width = source.shape
+    stride = source.strides[0]
+    return (_pack_image(_IMAGE_SIZE, _address(source), width, height, stride if stride > width else width, 0),
+            _pack_image(_IMAGE_SIZE, _address(result), width, height, width, result.dtype.kind == "b"))
+
+
+def stacks(source: Array, result: Array) -> tuple[bytes, bytes]:
+    """thinbench_stack structs, likewise."""
+    count, height, width = source.shape
+    stride = max(source.strides[1], width)
+    size, pack = _library.STACK.size, _library.STACK.pack
+    return (pack(size, _address(source), count, width, height, stride, max(source.strides[0], height * stride), 0),
+            pack(size, _address(result), count, width, height, width, height * width, result.dtype.kind == "b"))
+
+
+def numbers(array: Array) -> bytes:
+    """A thinbench_labels or thinbench_reals struct of rows."""
+    height, width = array.shape
+    return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height,
+                                 max(array.strides[0] // array.itemsize, width))
 
 
 def label_rows(image: Array) -> Array:
-    """The labels as int32 in contiguous rows."""
-    rows: Array = image.astype(np.int32, copy=False)
-    stride, step = rows.strides
-    if step != 4 or stride % 4 or stride < 4 * rows.shape[1]:
-        rows = np.ascontiguousarray(rows)
-    return rows
-
-
-def label_stride(image: Array) -> int:
-    """The distance between rows in labels, which NumPy gives as 0 without elements."""
-    return max(image.strides[0] // 4, image.shape[1])
-
-
-def destination(out: Array) -> bytes:
-    """A thinbench_output struct for a contiguous array; foreground is 1 in an array of bool."""
-    height, width = out.shape[-2:]
-    return _library.OUTPUT.pack(_library.address(out), width, height * width, out.dtype == _BOOL)
+    """The labels as int32 in rows."""
+    return with_rows(image.astype(np.int32, copy=False))
 
 
 def integer(name: str, value: Any) -> int:

@@ -71,9 +71,7 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
         if value is not None and threshold != "local":
             raise ValueError(f"{name}: expected threshold='local' beside it, got {threshold!r}")
     result = np.empty(levels.shape, bool)
-    stack, kept_alive = _arrays.source(levels)
-    _library.binarise(stack, _arrays.destination(result), request, None, None)
-    del kept_alive
+    _library.binarise(*_arrays.images(levels, result), request, None, None, None)
     return result
 
 
@@ -105,6 +103,6 @@ def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[np.uint8]:
     colours = np.ascontiguousarray(array)
     height, width, samples = colours.shape
     levels = np.empty((height, width), np.uint8)
-    _library.select_channel(colours.ctypes.data, samples * width, levels.ctypes.data, width, height,
-                            width, samples, name, None)
+    source = _library.COLOURS.pack(_library.COLOURS.size, colours.ctypes.data, width, height, samples * width, samples)
+    _library.select_channel(source, _arrays.image(levels), name, None, None)
     return levels

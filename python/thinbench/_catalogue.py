@@ -46,7 +46,7 @@ def named_rules() -> dict[str, Rule]:
     return _rules(built_in=False)
 
 
-def cpu() -> dict[str, bool]:
+def isas() -> dict[str, bool]:
     """Instruction sets, and whether each can be used; the last one that can is the default.
 
     An instruction set can be used if the processor has it and the environment variable
@@ -60,7 +60,7 @@ def cpu() -> dict[str, bool]:
     Examples
     --------
     >>> import thinbench
-    >>> thinbench.cpu()["baseline"]
+    >>> thinbench.isas()["baseline"]
     True
     """
     return {name: _library.isa_available(name.encode()) == 1

@@ -116,7 +116,7 @@ class _Node:
         for step in FORWARD:
             between = self._is_joined(step) | self._is_in_block(step)
             background[tuple((at + step)[between].T)] = False
-        labels, _ = _images.label(background, connectivity=4)
+        labels, _ = _images.label_image(background, connectivity=4)
         labels[labels == labels[0, 0]] = 0
         found, numbers = np.unique(np.append(labels, 0), return_inverse=True)
         return numbers[:-1].reshape(labels.shape), len(found) - 1
@@ -162,7 +162,7 @@ def _holes_of(pixels: Array) -> Array:
     origin = pixels.min(axis=0)
     background = np.ones(pixels.max(axis=0) - origin + 3, bool)
     background[tuple((pixels - origin + 1).T)] = False
-    labels, _ = _images.label(background, connectivity=4)
+    labels, _ = _images.label_image(background, connectivity=4)
     numbers, first = np.unique(labels, return_index=True)
     places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
     holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 import thinbench
-from thinbench import _images
+from thinbench import _arrays, _images
 from thinbench._dask_thinning import array_of, with_chunks_of_at_least
 
 Array = npt.NDArray[Any]
@@ -44,17 +44,19 @@ class Line(NamedTuple):
     is_object: Array
 
 
-def regions(array: Any, return_labels: bool) -> Any:
-    """As thinbench.dask.regions, for a checked array."""
+def find_regions(array: Any) -> _images.Columns:
+    """As thinbench.dask.find_regions, for a checked array."""
+    return label_regions(array)[0]  # labels are lazy
+
+
+def label_regions(array: Any) -> tuple[_images.Columns, Any]:
+    """As thinbench.dask.label_regions, for a checked array."""
     if array.size == 0:
-        table = _images.columns(np.empty(0, _images.REGION), 0)
-        return (table, array.astype(np.int32)) if return_labels else table
+        return _images.columns(np.empty(0, _images.REGION), 0), array.astype(np.int32)
     chunked = with_chunks_of_at_least(array, 1)
     blocks = chunked.to_delayed()
     parts = _computed_parts(blocks, chunked.chunks, array.shape[1])
     table, labels = _joined(parts, array.shape)
-    if not return_labels:
-        return table
     tasks = {index: (_relabelled, block.key, labels[index])
              for index, block in np.ndenumerate(blocks)}
     return table, array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks)
@@ -73,12 +75,13 @@ def _computed_parts(blocks: Array, chunks: Any, width: int) -> Array:
 
 def _labelled(block: Array) -> tuple[Array, int, Array]:
     """Components, how many are foreground, and labels of all pixels."""
+    block = _arrays.binary(block)  # in rows: that of a constant dask array is one pixel, repeated
     labels = np.empty(block.shape, np.int32)
-    found, objects = _images.find_regions(block, labels)
+    found, objects = _images.regions_of(block, labels)
     # In a frame of foreground every component of the background is a hole.
     framed = np.pad(block, 1, constant_values=1)
     framed_labels = np.empty(framed.shape, np.int32)
-    framed_found, framed_objects = _images.find_regions(framed, framed_labels)
+    framed_found, framed_objects = _images.regions_of(framed, framed_labels)
     background = framed_found[framed_objects:].copy()
     for name in ("left", "top", "right", "bottom"):
         background[name] -= 1
@@ -236,7 +239,7 @@ def without_small_holes(block: npt.NDArray[Any], max_size: int) -> npt.NDArray[A
     """The block with its holes of at most this many rows and columns filled."""
     if block.size == 0:
         return block
-    table, labels = thinbench.regions(block, return_labels=True)
+    table, labels = thinbench.label_regions(block)
     is_filled = np.zeros(len(table["label"]) + 1, bool)
     height, width = table["bbox-2"] - table["bbox-0"], table["bbox-3"] - table["bbox-1"]
     is_filled[1:] = ~table["is_hole"] | (height <= max_size) & (width <= max_size)
@@ -245,6 +248,6 @@ def without_small_holes(block: npt.NDArray[Any], max_size: int) -> npt.NDArray[A
 
 def near_distances(block: npt.NDArray[Any], max_distance: float) -> npt.NDArray[np.float64]:
     """The distances of the block, infinite where they are greater."""
-    distances = thinbench.distance(block)
+    distances = thinbench.distances(block)
     distances[distances > max_distance] = np.inf
     return distances

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _images, _library, _thinning
-from thinbench._graph_handles import split_at, taken
+from thinbench._graph_handles import split_graph, taken
 from thinbench._rules import Rule
 from thinbench._skeleton_graph import Graph
 
@@ -20,9 +20,9 @@ PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
 Spacing = float | Sequence[float]
 
 
-def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
-          nodes: Iterable[Sequence[int]] = (), not_thin: Literal["warn", "raise", "ignore"] = "warn",
-          threads: int = 1) -> Graph:
+def skeleton_graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                   nodes: Iterable[Sequence[int]] = (), not_thin: Literal["warn", "raise", "ignore"] = "warn",
+                   threads: int = 1) -> Graph:
     """Find the nodes of a skeleton and the lines between them.
 
     Parameters
@@ -61,20 +61,19 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
     >>> import numpy as np
     >>> import thinbench
     >>> cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
-    >>> found = thinbench.graph(cross)
+    >>> found = thinbench.skeleton_graph(cross)
     >>> print(found.nodes["kind"], found.edges["length"])
     ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
     """
     array = _arrays.binary(skeleton, name="skeleton")
     options = _library.execution(_arrays.integer("threads", threads))
-    stack, kept_alive = _arrays.source(array)
-    _check_thin(stack, not_thin)
+    lines = _arrays.image(array)
+    _check_thin(lines, not_thin)
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
     handle = ctypes.c_void_p()
-    _library.skeleton_graph(stack, options, ctypes.byref(handle))
-    del kept_alive
-    return taken(split_at(handle, nodes), units, distances)
+    _library.skeleton_graph(lines, options, ctypes.byref(handle))
+    return taken(split_graph(handle, nodes), units, distances)
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
@@ -134,14 +133,12 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
         raise ValueError(f"min_widths: expected image=..., what was thinned, beside it, got {widths:g} without")
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
-    packed_units = np.array(units)
-    pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length),
-                                    widths, 0 if distances is None else distances.ctypes.data,
-                                    array.shape[1], bool(removes_components), packed_units.ctypes.data)
+    numbers = None if distances is None else _arrays.numbers(distances)
+    spaces = _library.spacing(*units)
+    pruning = _library.pruning(_arrays.real("min_length", min_length), widths, numbers, spaces,
+                               bool(removes_components))
     result = _arrays.result_for(array, out)
-    stack, kept_alive = _arrays.source(array)
-    _library.prune(stack, _arrays.destination(result), pruning, options, None)
-    del kept_alive
+    _library.prune(*_arrays.images(array, result), pruning, options, None)
     return result
 
 
@@ -189,7 +186,7 @@ def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing:
     [0. 0. 2. 2. 2. 2. 2. 0. 0.]
     """
     skeleton = _thinning.thin(image, rule, threads=threads, stack=False)
-    distances = _images.distance(image, spacing=spacing, threads=threads)
+    distances = _images.distances(image, spacing=spacing, threads=threads)
     distances[skeleton == 0] = 0
     return skeleton, distances
 
@@ -227,21 +224,18 @@ def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.ND
     [[1 0 2 3 2]] [[0 0 1 2 1]]
     """
     array = _arrays.binary(image)
-    stack, kept_alive = _arrays.source(array)
     classes, degrees = np.empty(array.shape, np.uint8), np.empty(array.shape, np.uint8)
-    stride = array.shape[1]
-    _library.classify_pixels(stack, classes.ctypes.data, stride, degrees.ctypes.data, stride)
-    del kept_alive
+    _library.classify_pixels(_arrays.image(array), _arrays.image(classes), _arrays.image(degrees), None)
     return classes, degrees
 
 
-def _check_thin(stack: bytes, not_thin: str) -> None:
+def _check_thin(lines: bytes, not_thin: str) -> None:
     if not_thin not in ("warn", "raise", "ignore"):
         raise ValueError(f"not_thin: expected 'warn', 'raise' or 'ignore', got {not_thin!r}")
     count, first = ctypes.c_int64(), (ctypes.c_int32 * 2)()
     if not_thin == "ignore":
         return
-    _library.full_blocks(stack, ctypes.byref(count), first)
+    _library.full_blocks(lines, None, ctypes.byref(count), first)
     if count.value == 0:
         return
     blocks = "block of 2 x 2 pixels" if count.value == 1 else "blocks of 2 x 2 pixels, the first"
@@ -253,7 +247,7 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
 
 def _distances_of(image: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float],
                   threads: int) -> npt.NDArray[np.float64]:
-    distances = _images.distance(image, spacing=spacing, threads=threads)
+    distances = _images.distances(image, spacing=spacing, threads=threads)
     if distances.shape != shape:
         raise ValueError(f"image: expected the skeleton's shape {shape}, got {distances.shape}")
     return distances

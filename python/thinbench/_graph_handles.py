@@ -18,13 +18,13 @@ _EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", "i4", 2), ("stop", "i4
                   ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
 
 
-def split_at(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
+def split_graph(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
     """The graph with a node at each pixel (row, column), instead of the handle."""
     try:
         places = np.array([_pixel_of(pixel) for pixel in pixels], np.int32)
         split = ctypes.c_void_p()
         if len(places):
-            _library.graph_split(handle, _library.address(places), len(places), ctypes.byref(split))
+            _library.split_graph(handle, _library.address(places), len(places), ctypes.byref(split))
     except BaseException:
         _library.graph_destroy(handle)
         raise
@@ -100,6 +100,5 @@ def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array
 
 def _width_columns(handle: ctypes.c_void_p, distances: npt.NDArray[np.float64], count: int) -> dict[str, Array]:
     widths = np.empty((count, 4))
-    height, width = distances.shape
-    _library.graph_edge_widths(handle, distances.ctypes.data, width, height, width, widths.ctypes.data)
+    _library.edge_widths(handle, _arrays.numbers(distances), None, widths.ctypes.data, widths.itemsize * 4)
     return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "median", "min", "max"))}

@@ -17,12 +17,12 @@ Array = npt.NDArray[Any]
 Spacing = float | Sequence[float]
 
 
-def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
-                 threads: int = 1) -> Graph:
+def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                    threads: int = 1) -> Graph:
     """Find the graphs of many skeletons that share an image, each with its own label, in one call.
 
     Pixels with different labels are never joined, even where they touch. The result is that of a loop over
-    the labels with `graph(skeletons == label, labels == label)`, one after another.
+    the labels with `skeleton_graph(skeletons == label, labels == label)`, one after another.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     labels : array of bool or integers, shape (H, W), optional
         What was thinned, for the widths of edges.
     spacing : float or two floats
-        As for `graph`.
+        As for `skeleton_graph`.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
 
@@ -52,7 +52,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     Examples
     --------
     >>> import thinbench
-    >>> found = thinbench.graph_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
+    >>> found = thinbench.graph_of_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
     >>> print(found.edges["label"], found.edges["length"])
     [2 5] [1. 2.]
     """
@@ -61,8 +61,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     units = _arrays.spacing("spacing", spacing)
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
     handle = ctypes.c_void_p()
-    _library.graph_of_labels(lines.ctypes.data, _arrays.label_stride(lines), *lines.shape, options,
-                             ctypes.byref(handle))
+    _library.graph_of_labels(_arrays.numbers(lines), options, ctypes.byref(handle))
     return taken(handle, units, distances, has_labels=True)
 
 
@@ -112,12 +111,11 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
     result = _arrays.result_for(image, out)
     kept = np.empty(lines.shape, np.int32)
-    packed_units = np.array(units)
-    pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length), widths,
-                                    0 if distances is None else distances.ctypes.data, lines.shape[1],
-                                    bool(removes_components), packed_units.ctypes.data)
-    _library.prune_labels(lines.ctypes.data, _arrays.label_stride(lines), kept.ctypes.data, lines.shape[1],
-                          *lines.shape, pruning, options, None)
+    numbers = None if distances is None else _arrays.numbers(distances)
+    spaces = _library.spacing(*units)
+    pruning = _library.pruning(_arrays.real("min_length", min_length), widths, numbers, spaces,
+                               bool(removes_components))
+    _library.prune_labels(_arrays.numbers(lines), _arrays.numbers(kept), pruning, options, None)
     result[...] = kept
     return result
 
@@ -128,6 +126,6 @@ def _distances_of(labels: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[
     if objects.shape != shape:
         raise ValueError(f"labels: expected the skeletons' shape {shape}, got {objects.shape}")
     distances = np.empty(objects.shape)
-    _library.label_distances(objects.ctypes.data, _arrays.label_stride(objects), distances.ctypes.data,
-                             objects.shape[1], *objects.shape, _library.SPACING.pack(*spacing), options)
+    _library.distances_of_labels(_arrays.numbers(objects), _arrays.numbers(distances), _library.spacing(*spacing),
+                                 options)
     return distances

@@ -14,24 +14,28 @@ import numpy.typing as npt
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
 
-# Structs are passed as packed bytes, which is faster than ctypes.Structure.
-STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_stride
-OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
-PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
-_THINNING = struct.Struct("NPi4x")  # size, border, max_iterations, reserved
-SPACING = struct.Struct("dd")  # y, x
-PRUNING = struct.Struct("NddPni4xP")
-_EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
-_RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
+# Structs are passed as packed bytes, which is faster than ctypes.Structure. Each begins with its size.
+IMAGE = struct.Struct("NPnnnB7x")  # data, width, height, stride, foreground
+STACK = struct.Struct("NPnnnnnB7x")  # data, count, width, height, stride, image_stride, foreground
+PACKED = struct.Struct("NPnnni4x")  # data, width, height, stride, lsb_first
+NUMBERS = struct.Struct("NPnnn")  # data, width, height, stride; labels or reals
+COLOURS = struct.Struct("NPnnni4x")  # data, width, height, stride, samples
+PATH_REQUEST = struct.Struct("Niiiid")  # start x, start y, goal x, goal y, width
+FOUND_PATH = struct.Struct("NNdd")  # count, length, min_width
+_SPACING = struct.Struct("Ndd")  # x, y
+_PRUNING = struct.Struct("NddPPi4x")  # min_length, min_widths, distances, spacing, removes_components
+_HOLE_FILLING = struct.Struct("Nqi4x")  # max_area, connectivity
+_THINNING = struct.Struct("NPi4x")  # border, max_iterations
+_EXECUTION = struct.Struct("Ni4xP")  # threads, isa
+_RULE_INFO = struct.Struct("NPPPi4xPNPii")  # as RuleInfo
 
 _address_of_buffer = ctypes.addressof
 _buffer_of: Callable[[Any], ctypes.c_char] = ctypes.c_char.from_buffer
 
 _BYTES = ctypes.c_char_p
-_POINTER = ctypes.c_void_p
-_INT = ctypes.c_int32
-_SIZE = ctypes.c_size_t
-_DISTANCE = ctypes.c_ssize_t
+# What the letters of signatures stand for: bytes, an address, a number of a kind.
+_TYPES = {"b": _BYTES, "p": ctypes.c_void_p, "i": ctypes.c_int32, "u": ctypes.c_uint32, "n": ctypes.c_size_t,
+          "d": ctypes.c_double}
 
 UNLIMITED = 2**31 - 1
 ANY_HOLE_AREA = 2**63 - 1
@@ -39,9 +43,9 @@ _NAMES = [ctypes.create_string_buffer(name) for name in (b"background", b"keep",
 BORDERS = {name.value.decode(): ctypes.addressof(name) for name in _NAMES}
 
 
-def _function(name: str, *arguments: type, result: type | None = _INT) -> Callable[..., Any]:
+def _function(name: str, arguments: str = "", result: Any = None) -> Callable[..., Any]:
     function: Callable[..., Any] = getattr(_library, "thinbench_" + name)
-    function.argtypes = arguments  # type: ignore[attr-defined]
+    function.argtypes = [_TYPES[argument] for argument in arguments]  # type: ignore[attr-defined]
     function.restype = result  # type: ignore[attr-defined]
     return function
 
@@ -55,15 +59,20 @@ def _raise_error(status: int, function: Any, arguments: Any) -> None:
         raise _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode(errors="replace"))
 
 
-def _checked(name: str, *arguments: type) -> Callable[..., None]:
+def _checked(name: str, arguments: str) -> Callable[..., None]:
     """A function that raises an exception instead of returning a status."""
-    function = _function(name, *arguments)
+    function = _function(name, arguments, ctypes.c_int32)
     function.errcheck = _raise_error  # type: ignore[attr-defined]
     return function
 
 
+def _list(name: str) -> Callable[..., Any]:
+    """A list of a handle, whose length and element size follow."""
+    return _function(name, "ppn", ctypes.c_void_p)
+
+
 version = _function("version", result=_BYTES)
-_release_memory = _function("release_memory", result=None)
+_release_memory = _function("release_memory")
 
 
 def release_memory() -> None:
@@ -71,80 +80,74 @@ def release_memory() -> None:
     _release_memory()
 
 
-thin = _checked("thin", _POINTER, _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
-thin_packed = _checked(
-    "thin_packed", _POINTER, _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES, _POINTER)
-thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
-                       _DISTANCE, _BYTES, _BYTES, _POINTER)
-binarise = _checked("binarise", _BYTES, _BYTES, _BYTES, _POINTER, _POINTER)
-select_channel = _checked("select_channel", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
-                          _DISTANCE, _INT, _BYTES, _POINTER)
-midpoint_scan = _checked("midpoint_scan", _BYTES, _BYTES, _INT, _BYTES, _BYTES)
-edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
-squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
-distances = _checked("distances", _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES)
-classify_pixels = _checked("classify_pixels", _BYTES, _POINTER, _DISTANCE, _POINTER, _DISTANCE)
-full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
-polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _BYTES, _POINTER, _POINTER)
-skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
+isa_name = _function("isa_name", "n", _BYTES)
+isa_available = _function("isa_available", "b", ctypes.c_int32)
 
+rule_named = _checked("rule_named", "bp")
+rule_from_tables = _checked("rule_from_tables", "pnbip")
+rule_from_two_layer_net = _checked("rule_from_two_layer_net", "pbp")
+rule_from_cluster = _checked("rule_from_cluster", "ppnp")
+rule_destroy = _function("rule_destroy", "p")
+rule_name = _function("rule_name", "n", _BYTES)
+_rule_describe = _checked("rule_describe", "pp")
+_rule_gates = _checked("rule_gates", "pnp")
+table_from_hensel = _checked("table_from_hensel", "bp")
+table_from_patterns = _checked("table_from_patterns", "pnp")
+table_from_values = _checked("table_from_values", "bbp")
+table_from_removals = _checked("table_from_removals", "bbp")
 
-class Pixel(ctypes.Structure):
-    """A thinbench_pixel struct."""
+thin = _checked("thin", "pbbbbp")
+thin_stack = _checked("thin_stack", "pbbbbp")
+thin_packed = _checked("thin_packed", "pbbbbp")
+thin_labels = _checked("thin_labels", "pbbbbp")
+midpoint_scan = _checked("midpoint_scan", "bbibb")
+binarise = _checked("binarise", "bbbbpp")
+select_channel = _checked("select_channel", "bbbbp")
+detect_edges = _checked("detect_edges", "bbbiib")
+edge_operator_name = _function("edge_operator_name", "n", _BYTES)
+squared_distances = _checked("squared_distances", "bbb")
+distances = _checked("distances", "bbbb")
+distances_of_labels = _checked("distances_of_labels", "bbbb")
 
-    _fields_ = [("x", ctypes.c_int32), ("y", ctypes.c_int32)]
+find_regions = _checked("find_regions", "bbp")
+label_regions = _checked("label_regions", "bbbp")
+find_objects = _checked("find_objects", "bbp")
+label_objects = _checked("label_objects", "bbibbp")
+label_image = _checked("label_image", "bbibbp")
+label_values = _checked("label_values", "bbiibp")
+localise_objects = _checked("localise_objects", "bbiibp")
+regions_objects = _list("regions_objects")
+regions_holes = _list("regions_holes")
+regions_destroy = _function("regions_destroy", "p")
+fill_holes = _checked("fill_holes", "bbbb")
+fill_holes_of_labels = _checked("fill_holes_of_labels", "bbbb")
+euler_number = _checked("euler_number", "bibp")
 
+classify_pixels = _checked("classify_pixels", "bbbb")
+full_blocks = _checked("full_blocks", "bbpp")
+skeleton_graph = _checked("skeleton_graph", "bbp")
+graph_of_labels = _checked("graph_of_labels", "bbp")
+split_graph = _checked("split_graph", "ppnp")
+prune = _checked("prune", "bbbbp")
+prune_labels = _checked("prune_labels", "bbbbp")
+graph_nodes = _list("graph_nodes")
+graph_edges = _list("graph_edges")
+graph_node_pixels = _list("graph_node_pixels")
+graph_edge_pixels = _list("graph_edge_pixels")
+graph_node_labels = _list("graph_node_labels")
+graph_destroy = _function("graph_destroy", "p")
+edge_widths = _checked("edge_widths", "pbbpn")
+polyline = _checked("polyline", "pndbpp")
 
-find_path = _checked("find_path", _BYTES, Pixel, Pixel, ctypes.c_double, _BYTES, _POINTER, _POINTER)
-prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
-graph_of_labels = _checked("graph_of_labels", _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _BYTES, _POINTER)
-label_distances = _checked("label_distances", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE,
-                           _BYTES, _BYTES)
-prune_labels = _checked("prune_labels", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _BYTES,
-                        _BYTES, _POINTER)
-graph_split = _checked("graph_split", _POINTER, _POINTER, _SIZE, _POINTER)
-find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
-label_image, label_components = (
-    _checked(name, _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _BYTES, _POINTER)
-    for name in ("label_image", "label_components"))
-label_values = _checked("label_values", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _INT,
-                        _INT, _POINTER)
-localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
-fill_small_holes = _checked(
-    "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
-fill_label_holes = _checked("fill_label_holes", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE,
-                            _INT, ctypes.c_int64, _BYTES)
-euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
-(regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels, graph_node_labels,
- graph_paths_list, graph_paths_nodes, graph_paths_edges) = (
-    _function(lists, _POINTER, _POINTER, _SIZE, result=_POINTER)
-    for lists in ("regions_objects", "regions_holes", "graph_nodes", "graph_edges", "graph_node_pixels",
-                  "graph_edge_pixels", "graph_node_labels", "graph_paths_list", "graph_paths_nodes", "graph_paths_edges"))
-main_paths = _checked("main_paths", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
-cycles = _checked("cycles", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
-shortest_path = _checked(
-    "shortest_path", ctypes.c_uint32, _POINTER, _SIZE, ctypes.c_uint32, ctypes.c_uint32, _POINTER)
-components = _checked("components", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
-graph_paths_destroy = _function("graph_paths_destroy", _POINTER, result=None)
-graph_edge_widths = _checked(
-    "graph_edge_widths", _POINTER, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _POINTER)
-graph_destroy = _function("graph_destroy", _POINTER, result=None)
-regions_destroy = _function("regions_destroy", _POINTER, result=None)
-table_from_hensel = _checked("table_from_hensel", _BYTES, _POINTER)
-table_from_patterns = _checked("table_from_patterns", _POINTER, _SIZE, _POINTER)
-table_from_values = _checked("table_from_values", _BYTES, _BYTES, _POINTER)
-table_from_removals = _checked("table_from_removals", _BYTES, _BYTES, _POINTER)
-rule_named = _checked("rule_named", _BYTES, _POINTER)
-rule_from_tables = _checked("rule_from_tables", _POINTER, _SIZE, _BYTES, _INT, _POINTER)
-rule_from_two_layer_net = _checked("rule_from_two_layer_net", _POINTER, _BYTES, _POINTER)
-rule_from_cluster = _checked("rule_from_cluster", _POINTER, _POINTER, _SIZE, _POINTER)
-rule_destroy = _function("rule_destroy", _POINTER, result=None)
-rule_name = _function("rule_name", _SIZE, result=_BYTES)
-_rule_describe = _checked("rule_describe", _POINTER, _POINTER)
-_rule_gates = _checked("rule_gates", _POINTER, _SIZE, _POINTER)
-edge_operator_name = _function("edge_operator_name", _SIZE, result=_BYTES)
-isa_name = _function("isa_name", _SIZE, result=_BYTES)
-isa_available = _function("isa_available", _BYTES)
+main_paths = _checked("main_paths", "upnp")
+cycles = _checked("cycles", "upnp")
+shortest_path = _checked("shortest_path", "upnuup")
+components_of = _checked("components_of", "upnp")
+graph_paths_list = _list("graph_paths_list")
+graph_paths_nodes = _list("graph_paths_nodes")
+graph_paths_edges = _list("graph_paths_edges")
+graph_paths_destroy = _function("graph_paths_destroy", "p")
+find_path = _checked("find_path", "bbbpp")
 
 
 @lru_cache(maxsize=256)
@@ -157,6 +160,27 @@ def thinning(border: int, max_iterations: int) -> bytes | None:
 def execution(threads: int) -> bytes | None:
     """A thinbench_execution struct; None, the library's default, for one thread."""
     return _EXECUTION.pack(_EXECUTION.size, threads, 0) if threads != 1 else None
+
+
+def hole_filling(connectivity: int, max_area: int) -> bytes:
+    """A thinbench_hole_filling struct."""
+    return _HOLE_FILLING.pack(_HOLE_FILLING.size, max_area, connectivity)
+
+
+def spacing(rows: float, columns: float) -> bytes | None:
+    """A thinbench_spacing struct; None, the library's default, for squares of side 1."""
+    return None if rows == columns == 1 else _SPACING.pack(_SPACING.size, columns, rows)
+
+
+def pruning(min_length: float, min_widths: float, distances: bytes | None, spacing: bytes | None,
+            removes_components: bool) -> bytes:
+    """A thinbench_pruning struct; the other structs must live as long."""
+    return _PRUNING.pack(_PRUNING.size, min_length, min_widths, *map(_address_of_bytes, (distances, spacing)),
+                         removes_components)
+
+
+def _address_of_bytes(data: bytes | None) -> int:
+    return 0 if data is None else ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p).value or 0
 
 
 class RuleInfo(NamedTuple):

@@ -63,8 +63,6 @@ def midpoint_scan(image: npt.ArrayLike, directions: str | Iterable[str] = tuple(
         bits |= _arrays.one_of("directions", name, _DIRECTIONS)
     outside = _arrays.one_of("border", border, _BORDERS)
     result = _arrays.result_for(image, out)
-    stack, kept_alive = _arrays.source(image)
-    _library.midpoint_scan(stack, _arrays.destination(result), bits, outside,
+    _library.midpoint_scan(*_arrays.images(image, result), bits, outside,
                            _library.execution(_arrays.integer("threads", threads)))
-    del kept_alive
     return result

@@ -45,7 +45,7 @@ def shortest_path(nodes: int, table: Array, first: int, last: int) -> list[Path]
 def components(nodes: int, table: Array) -> Array:
     """The component of every node, numbered from 0 by their first nodes."""
     numbers = np.empty(nodes, np.uint32)
-    _library.components(nodes, _library.address(table), len(table), _library.address(numbers))
+    _library.components_of(nodes, _library.address(table), len(table), _library.address(numbers))
     return numbers.astype(np.int64)
 
 

@@ -77,14 +77,15 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall"
     lsb_first = _arrays.one_of("bit_order", bit_order, _BIT_ORDERS) == b"little"
     handle, *options = request(rule, border, max_iterations, threads)
     result = _arrays.result_for(image, out)
-    if image.strides[1] != 1 or image.strides[0] < image.shape[1]:
-        image = np.ascontiguousarray(image)
-    stride = max(image.strides[0], image.shape[1])  # of an array without rows it may be 0
-    source = _library.PACKED.pack(image.ctypes.data, image.shape[0], width, stride, lsb_first)
     iterations = ctypes.c_int32()
-    _library.thin_packed(handle, source, result.ctypes.data, result.shape[1], *options,
+    _library.thin_packed(handle, _struct(image, width, lsb_first), _struct(result, width, lsb_first), *options,
                          ctypes.byref(iterations))
     return (result, iterations.value) if return_iterations else result
+
+
+def _struct(image: Packed, width: int, lsb_first: bool) -> bytes:
+    stride = max(image.strides[0], image.shape[1])  # of an array without rows it may be 0
+    return _library.PACKED.pack(_library.PACKED.size, image.ctypes.data, width, image.shape[0], stride, lsb_first)
 
 
 def _checked(packed: Any, width: int) -> Packed:
@@ -96,4 +97,4 @@ def _checked(packed: Any, width: int) -> Packed:
     if image.ndim != 2 or image.shape[1] != (width + 7) // 8:
         raise ValueError(f"packed: expected shape (H, {(width + 7) // 8}) for a width of {width}, "
                          f"got {image.shape}")
-    return image
+    return _arrays.with_rows(image)

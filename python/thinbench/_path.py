@@ -12,8 +12,8 @@ import numpy.typing as npt
 from thinbench import _arrays, _library
 
 
-def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: float = 0, *,
-         threads: int = 1) -> npt.NDArray[np.int32]:
+def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: float = 0, *,
+              threads: int = 1) -> npt.NDArray[np.int32]:
     """Find a path for a robot that keeps away from obstacles.
 
     The path of least cost: a step between two pixels of the skeleton of the free space costs its length, any
@@ -50,25 +50,26 @@ def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: 
     >>> import thinbench
     >>> corridor = np.zeros((5, 7), bool)
     >>> corridor[1:4, 1:6] = True
-    >>> thinbench.path(corridor, (2, 1), (2, 5)).tolist()
+    >>> thinbench.find_path(corridor, (2, 1), (2, 5)).tolist()
     [[2, 1], [2, 2], [2, 3], [2, 4], [2, 5]]
     """
     image = _arrays.binary(free, name="free")
     found = np.empty((max(image.size, 1), 2), np.int32)
-    count = ctypes.c_size_t()
-    stack, kept_alive = _arrays.source(image)
-    _library.find_path(stack, _pixel("start", start), _pixel("goal", goal), _arrays.real("width", width),
-                       _library.execution(_arrays.integer("threads", threads)), found.ctypes.data,
-                       ctypes.byref(count))
-    del kept_alive
-    if count.value == 0:
+    request = _library.PATH_REQUEST.pack(_library.PATH_REQUEST.size, *_pixel("start", start), *_pixel("goal", goal),
+                                         _arrays.real("width", width))
+    result = ctypes.create_string_buffer(_library.FOUND_PATH.pack(_library.FOUND_PATH.size, 0, 0, 0))
+    _library.find_path(_arrays.image(image), request, _library.execution(_arrays.integer("threads", threads)),
+                       found.ctypes.data, result)
+    _, count, _, _ = _library.FOUND_PATH.unpack_from(result)
+    if count == 0:
         raise ValueError(f"no path from {tuple(start)} to {tuple(goal)} is {width:g} pixels wide")
-    return found[:count.value, ::-1].copy()
+    return found[:count, ::-1].copy()
 
 
-def _pixel(name: str, point: Any) -> Any:
+def _pixel(name: str, point: Any) -> tuple[int, int]:
+    """Its column and row."""
     try:
         row, column = point
     except (TypeError, ValueError):
         raise TypeError(f"{name}: expected a row and a column, got {point!r}") from None
-    return _library.Pixel(_arrays.integer(name, column), _arrays.integer(name, row))
+    return _arrays.integer(name, column), _arrays.integer(name, row)

@@ -132,7 +132,7 @@ def _raster(text: str) -> _tables.Tables:
 
 _KINDS: dict[str, tuple[Callable[..., _tables.Tables], tuple[str, ...]]] = {
     "raster": (_raster, ()),
-    "makelut": (_tables.from_makelut, ("order",)),
+    "makelut": (_tables.from_values, ("order",)),
     "remove": (_tables.from_removals, ("order",)),
     "patterns": (_tables.from_patterns, ()),
     "hensel": (_tables.from_hensel, ()),

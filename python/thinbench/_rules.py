@@ -97,7 +97,7 @@ class Rule:
         return cls.__new__(cls)._own(handle, partial(Rule.named, name))
 
     @classmethod
-    def two_layer_net(cls, weights: npt.ArrayLike, activation: str = "sigmoid") -> Rule:
+    def from_two_layer_net(cls, weights: npt.ArrayLike, activation: str = "sigmoid") -> Rule:
         """The two-layer net of the paper with other weights; docs/nets.md has the formula.
 
         Parameters
@@ -113,17 +113,17 @@ class Rule:
         >>> import thinbench
         >>> weights = np.zeros((9, 9))
         >>> weights[8, 8] = -3                      # an output of 0 for all neighbourhoods
-        >>> net = thinbench.Rule.two_layer_net(weights, "linear")
+        >>> net = thinbench.Rule.from_two_layer_net(weights, "linear")
         >>> bool(thinbench.thin(np.ones((3, 5), bool), net).any())
         False
         """
         neurons = _weights(weights, 9)
         handle = _library.handle_from(_library.rule_from_two_layer_net, neurons.ctypes.data,
                                       _arrays.one_of("activation", activation, _ACTIVATIONS))
-        return cls.__new__(cls)._own(handle, partial(Rule.two_layer_net, neurons, activation))
+        return cls.__new__(cls)._own(handle, partial(Rule.from_two_layer_net, neurons, activation))
 
     @classmethod
-    def cluster(cls, last: npt.ArrayLike, weights: npt.ArrayLike) -> Rule:
+    def from_cluster(cls, last: npt.ArrayLike, weights: npt.ArrayLike) -> Rule:
         """The cluster of single-layer nets of the paper with other weights; docs/nets.md.
 
         Parameters
@@ -136,7 +136,7 @@ class Rule:
         Examples
         --------
         >>> import thinbench
-        >>> keep = thinbench.Rule.cluster([255], [[0, 0, 0, 0, 0, 0, 0, 0, 1]])
+        >>> keep = thinbench.Rule.from_cluster([255], [[0, 0, 0, 0, 0, 0, 0, 0, 1]])
         >>> bool(keep.tables[0, 16])
         True
         """
@@ -148,7 +148,7 @@ class Rule:
         nets = _weights(weights, len(ends))
         handle = _library.handle_from(_library.rule_from_cluster, ends.ctypes.data,
                                       nets.ctypes.data, len(ends))
-        return cls.__new__(cls)._own(handle, partial(Rule.cluster, ends, nets))
+        return cls.__new__(cls)._own(handle, partial(Rule.from_cluster, ends, nets))
 
     @classmethod
     def from_hensel(cls, notation: str, *, border: str = "background",
@@ -195,9 +195,9 @@ class Rule:
                    optimise=optimise)
 
     @classmethod
-    def from_makelut(cls, lut: npt.ArrayLike, order: str = "matlab", *,
-                     border: str = "background", max_iterations: int | None = None,
-                     optimise: bool = False) -> Rule:
+    def from_values(cls, lut: npt.ArrayLike, order: str = "matlab", *,
+                    border: str = "background", max_iterations: int | None = None,
+                    optimise: bool = False) -> Rule:
         """The 512 values of `makelut(function, 3)`, or an array of such rows.
 
         `order` is "matlab" or "octave", whose functions number windows differently: by columns from
@@ -209,11 +209,11 @@ class Rule:
         >>> import thinbench
         >>> lut = np.zeros(512, bool)
         >>> lut[0b000_010_010] = True               # the pixel and its west neighbour
-        >>> rule = thinbench.Rule.from_makelut(lut)
+        >>> rule = thinbench.Rule.from_values(lut)
         >>> [int(window) for window in np.flatnonzero(rule.tables)]
         [24]
         """
-        return cls(_tables.from_makelut(lut, order), border=border, max_iterations=max_iterations,
+        return cls(_tables.from_values(lut, order), border=border, max_iterations=max_iterations,
                    optimise=optimise)
 
     @classmethod

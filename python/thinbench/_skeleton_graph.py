@@ -106,7 +106,7 @@ class Graph:
         "from" and "to": numbers of nodes; "length": the steps from pixel to pixel; "chord": the
         distance between its ends; with an image also "width-mean", "width-median", "width-min" and
         "width-max" of twice the distance to the background. A loop within a junction, round a hole that
-        its pixels enclose, has length 0. Of `graph_labels` also "label", as for nodes.
+        its pixels enclose, has length 0. Of `graph_of_labels` also "label", as for nodes.
     spacing : two floats
         The distance between rows and that between columns, in whose unit lengths and widths are.
     """
@@ -157,7 +157,7 @@ class Graph:
     def edge_widths(self, edge: int) -> Array:
         """The width at each of `edge_pixels(edge)`. The graph must know its image."""
         if self._distances is None:
-            raise ValueError("edge_widths: expected a graph(skeleton, image), whose image gives the widths")
+            raise ValueError("edge_widths: expected a skeleton_graph(skeleton, image), whose image gives the widths")
         rows, columns = self.edge_pixels(edge).T
         widths: Array = 2 * self._distances[rows, columns]
         return widths
@@ -172,7 +172,7 @@ class Graph:
         kept = np.empty(chain.shape, np.int32)
         count = ctypes.c_size_t()
         _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance),
-                          _library.SPACING.pack(*self.spacing), kept.ctypes.data, ctypes.byref(count))
+                          _library.spacing(*self.spacing), kept.ctypes.data, ctypes.byref(count))
         return kept[:count.value, ::-1].copy()
 
     def main_paths(self) -> list[GraphPath]:
@@ -281,8 +281,8 @@ class Graph:
         """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
 
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f, by default that of the
-        spacing. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count from 1. A width without
-        background is None.
+        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count
+        from 1. A width without background is None.
         """
         spaced = (self.spacing[1], 0, 0, 0, self.spacing[0], 0)
         a, b, c, d, e, f = _finite("transform", spaced if transform is None else transform)
@@ -310,7 +310,7 @@ class Graph:
                 properties[name] = width if math.isfinite(width) else None
             properties |= _label(edges, i)
             features.append(feature("LineString", [position(*point) for point in line], properties))
-        return {"type": "FeatureCollection", "spacing": list(self.spacing), "unit": None, "features": features}
+        return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""

@@ -74,7 +74,7 @@ def from_patterns(patterns: Iterable[str]) -> Tables:
     return _made(_library.table_from_patterns, array, len(lines))
 
 
-def from_makelut(lut: Any, order: str) -> Tables:
+def from_values(lut: Any, order: str) -> Tables:
     name = _arrays.one_of("order", order, WINDOW_ORDERS)
     return _each(_library.table_from_values, bits("lut", lut), name)
 

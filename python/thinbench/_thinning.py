@@ -123,11 +123,12 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
     array = _arrays.binary(image, 2 if stack is False else 3, stack=stack)
     handle, *options = request(rule, border, max_iterations, threads)
     result = _arrays.result_for(array, out)
-    source, kept_alive = _arrays.source(array)
     iterations = ctypes.c_int32()
-    _library.thin(handle, source, _arrays.destination(result), *options,
-                  ctypes.byref(iterations) if return_iterations else None)
-    del kept_alive
+    count = ctypes.byref(iterations) if return_iterations else None
+    if array.ndim == 2:
+        _library.thin(handle, *_arrays.images(array, result), *options, count)
+    else:
+        _library.thin_stack(handle, *_arrays.stacks(array, result), *options, count)
     return (result, iterations.value) if return_iterations else result
 
 
@@ -246,9 +247,8 @@ def thin_labels(labels: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border:
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else source
     iterations = ctypes.c_int32()
-    _library.thin_labels(handle, source.ctypes.data, _arrays.label_stride(source),
-                         target.ctypes.data, _arrays.label_stride(target),
-                         *image.shape, *options, ctypes.byref(iterations))
+    _library.thin_labels(handle, _arrays.numbers(source), _arrays.numbers(target), *options,
+                         ctypes.byref(iterations))
     if target is not result:
         result[...] = target
     return (result, iterations.value) if return_iterations else result

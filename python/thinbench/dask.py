@@ -26,7 +26,7 @@ except ImportError as error:
 
 from thinbench import _dask_regions, _dask_thinning
 
-__all__ = ["distance", "edges", "fill_holes", "regions", "thin"]
+__all__ = ["detect_edges", "distances", "fill_holes", "find_regions", "label_regions", "thin"]
 
 
 def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None,
@@ -87,7 +87,7 @@ def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None
     return result if out is None else _stored(result, out)
 
 
-def regions(array: Any, return_labels: bool = False) -> Any:
+def find_regions(array: Any) -> dict[str, Any]:
     """Find objects and holes of a binary image that is a dask array.
 
     Chunks are labelled one by one, and their components joined across chunks. This computes.
@@ -96,14 +96,11 @@ def regions(array: Any, return_labels: bool = False) -> Any:
     ----------
     array : dask array of bool or uint8, shape (H, W)
         Nonzero is foreground. Chunks of any size.
-    return_labels : bool
-        Also return an image of labels.
 
     Returns
     -------
-    dict of arrays, or a tuple of that and a dask array of int32, shape (H, W)
-        As `thinbench.regions`. The dict is in memory: a row for each object and each hole. The
-        image of labels is lazy.
+    dict of arrays
+        As `thinbench.find_regions`, in memory: a row for each object and each hole.
 
     Raises
     ------
@@ -116,15 +113,47 @@ def regions(array: Any, return_labels: bool = False) -> Any:
     >>> import thinbench.dask
     >>> ring = da.ones((6, 6), dtype=bool, chunks=4)
     >>> ring[1:5, 1:5] = False
-    >>> table = thinbench.dask.regions(ring)
+    >>> table = thinbench.dask.find_regions(ring)
     >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [20 16] [False  True] [0 1]
     """
     _check_image(array)
-    return _dask_regions.regions(array, return_labels)
+    return _dask_regions.find_regions(array)
 
 
-def edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40, brightness_threshold: int = 128) -> Any:
+def label_regions(array: Any) -> tuple[dict[str, Any], Any]:
+    """Find objects and holes of a binary image that is a dask array, and label their pixels.
+
+    Parameters
+    ----------
+    array
+        As in `thinbench.dask.find_regions`.
+
+    Returns
+    -------
+    dict of arrays, and a dask array of int32, shape (H, W)
+        As `thinbench.label_regions`. The dict is in memory, the image of labels is lazy.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> import dask.array as da
+    >>> import thinbench.dask
+    >>> table, labels = thinbench.dask.label_regions(da.ones((2, 3), dtype=bool, chunks=2))
+    >>> print(labels.compute())
+    [[1 1 1]
+     [1 1 1]]
+    """
+    _check_image(array)
+    return _dask_regions.label_regions(array)
+
+
+def detect_edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40,
+                 brightness_threshold: int = 128) -> Any:
     """Find the edges of a grey image that is a dask array.
 
     Lazy: chunks with a halo of 3 pixels, the reach of the widest operator and of the brightness.
@@ -134,12 +163,12 @@ def edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40, bri
     array : dask array of uint8, shape (H, W)
         Grey levels. Chunks of any size; those smaller than the halo are merged.
     operator, gradient_threshold, brightness_threshold
-        As in `thinbench.edges`.
+        As in `thinbench.detect_edges`.
 
     Returns
     -------
     dask array of uint8, shape (H, W)
-        255 on edges, else 0: equal to `thinbench.edges` in memory.
+        255 on edges, else 0: equal to `thinbench.detect_edges` in memory.
 
     Raises
     ------
@@ -151,20 +180,20 @@ def edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40, bri
     >>> import dask.array as da
     >>> import thinbench.dask
     >>> step = da.concatenate([da.zeros((9, 50), dtype="u1"), da.full((9, 50), 200, dtype="u1")], axis=1)
-    >>> int((thinbench.dask.edges(step) > 0).sum().compute())
+    >>> int((thinbench.dask.detect_edges(step) > 0).sum().compute())
     18
     """
     _check_image(array, _arrays.grey)
     options: dict[str, Any] = {"operator": operator, "gradient_threshold": gradient_threshold,
                                "brightness_threshold": brightness_threshold}
-    thinbench.edges(np.empty((0, 0), np.uint8), **options)
-    return _dask_thinning.with_halo(array, thinbench.edges, 3, np.uint8, **options)
+    thinbench.detect_edges(np.empty((0, 0), np.uint8), **options)
+    return _dask_thinning.with_halo(array, thinbench.detect_edges, 3, np.uint8, **options)
 
 
 def fill_holes(array: Any, max_size: int) -> Any:
     """Fill the small holes of a binary image that is a dask array.
 
-    Lazy: chunks with a halo of `max_size` pixels. `thinbench.dask.regions` finds holes of any size.
+    Lazy: chunks with a halo of `max_size` pixels. `thinbench.dask.find_regions` finds holes of any size.
 
     Parameters
     ----------
@@ -199,7 +228,7 @@ def fill_holes(array: Any, max_size: int) -> Any:
                                     max_size=max_size)
 
 
-def distance(array: Any, max_distance: float) -> Any:
+def distances(array: Any, max_distance: float) -> Any:
     """Find the distance to the nearest background pixel in a binary image that is a dask array.
 
     Lazy: chunks with a halo of `max_distance` pixels, rounded up.
@@ -214,7 +243,7 @@ def distance(array: Any, max_distance: float) -> Any:
     Returns
     -------
     dask array of float64, shape (H, W)
-        As `thinbench.distance`, up to `max_distance`.
+        As `thinbench.distances`, up to `max_distance`.
 
     Raises
     ------
@@ -226,7 +255,7 @@ def distance(array: Any, max_distance: float) -> Any:
     >>> import dask.array as da
     >>> import thinbench.dask
     >>> line = da.concatenate([da.zeros((1, 1), dtype=bool), da.ones((1, 5), dtype=bool)], axis=1)
-    >>> print(thinbench.dask.distance(line, 3).compute())
+    >>> print(thinbench.dask.distances(line, 3).compute())
     [[ 0.  1.  2.  3. inf inf]]
     """
     _check_image(array)

@@ -62,7 +62,7 @@ def pairs(image: Binary) -> list[tuple[dict[str, Call], dict[str, Call]]]:
              thinbench.thin(np.unpackbits(packed, axis=1, count=width)) != 0, axis=1)}),
         ({"fill_holes": partial(thinbench.fill_holes, image)},
          {"ndimage.binary_fill_holes": partial(ndimage.binary_fill_holes, image)}),
-        ({"regions": partial(thinbench.regions, image)},
+        ({"find_regions": partial(thinbench.find_regions, image)},
          {"ndimage.label and regionprops_table": partial(_regionprops, image)}),
         ({f"thin of a stack of {COUNT:,}": partial(thinbench.thin, stack, "zhang_suen_skimage")},
          {"a loop over thin": lambda: [thinbench.thin(one, "zhang_suen_skimage") for one in stack],

@@ -15,12 +15,12 @@
 #include "support/isa_parameters.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/graph.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/memory.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
@@ -92,15 +92,15 @@ TEST(ThinningState, allocates_nothing_after_construction) {
   }
 }
 
-TEST(ThinningBatch, allocates_nothing_after_construction) {
+TEST(StackThinner, allocates_nothing_after_construction) {
   std::vector<std::uint8_t> pixels(50 * 28 * 28, 255);
   const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
   for (const RuleInfo& info : kRules) {
     for (const int threads : {1, 3}) {
-      ThinningBatch batch(info.rule, 28, 28, {}, {.threads = threads});
-      batch(stack, stack);  // starts the threads
+      StackThinner thinner(info.rule, 28, 28, {}, {.threads = threads});
+      thinner(stack, stack);  // starts the threads
       const long before = allocations;
-      batch(stack, stack);
+      thinner(stack, stack);
       EXPECT_EQ(allocations, before) << info.name;
     }
   }
@@ -115,20 +115,20 @@ void call_all(Index width, Index height) {
     const Thinning thinning = {border};
     const Execution execution = {.threads = 2};
     thin(rule, source, destination, thinning, execution);
-    thin(rule, ConstPackedView(nullptr, width, height, BitOrder::msb_first),
-         {nullptr, width, height, BitOrder::msb_first}, thinning, execution);
-    thin_batch(rule, {nullptr, 3, width, height}, {nullptr, 3, width, height}, thinning, execution);
+    thin_packed(rule, ConstPackedView(nullptr, width, height, BitOrder::msb_first),
+                {nullptr, width, height, BitOrder::msb_first}, thinning, execution);
+    thin_stack(rule, {nullptr, 3, width, height}, {nullptr, 3, width, height}, thinning, execution);
     thin_many(rule, std::span(&source, 1), std::span(&destination, 1), thinning, execution);
   }
   thin_labels(Rule::guo_hall, labels, labels, {}, {.threads = 2});
   static_cast<void>(find_regions(source, {.threads = 2}));
-  static_cast<void>(find_components(source));
+  static_cast<void>(find_objects(source));
   static_cast<void>(euler_number(source));
   static_cast<void>(euler_number(source, Connectivity::four));
   fill_holes(source, destination);
   label_regions(source, labels);
-  label_components(source, labels, Connectivity::four);
-  label_components(source, labels, Connectivity::eight);
+  label_objects(source, labels, Connectivity::four);
+  label_objects(source, labels, Connectivity::eight);
   label_image(source, labels, Connectivity::eight);
   for (const EdgeOperatorInfo& info : kEdgeOperators) detect_edges(info.op, source, destination);
   static_cast<void>(localise_objects(source));
@@ -193,7 +193,7 @@ void call_on(const ByteImage& image, ByteImage& out, const Execution& thinning =
   thin(Rule::guo_hall, image.view(), out.view(), {}, thinning);
   fill_holes(image.view(), out.view());
   detect_edges(EdgeOperator::sobel, image.view(), out.view());
-  static_cast<void>(find_components(image.view()));
+  static_cast<void>(find_objects(image.view()));
 }
 
 class KeptMemory : public IsaTest {};

@@ -18,13 +18,13 @@ TEST(LocaliseObjects, are_the_regions_of_the_image_that_is_written) {
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     ByteImage objects(203, 151);
-    const Regions found = localise_objects(image.view(), objects.view(), thresholds, {.isa = isa});
+    const Regions found = localise_objects(image.view(), thresholds, {.isa = isa}, objects.view());
     const Regions drawn = find_regions(objects.view());
     EXPECT_EQ(found.objects, expected.objects);
     EXPECT_EQ(drawn.objects, expected.objects);
     EXPECT_EQ(drawn.holes, expected.holes);
   }
-  const Regions in_place = localise_objects(image.view(), image.view(), thresholds, {});
+  const Regions in_place = localise_objects(image.view(), thresholds, {}, image.view());
   EXPECT_EQ(in_place.holes, find_regions(image.view()).holes);
 }
 

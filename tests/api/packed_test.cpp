@@ -1,4 +1,4 @@
-// thin() of packed images: equal to thin() of bytes.
+// thin_packed(): equal to thin() of bytes.
 #include "thinbench/packed.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST_P(PackedThin, equals_thin_of_bytes_in_both_bit_orders_at_any_width_and_stri
       for (const Index gap : {0, 5}) {
         const PackedImage source(image.view(), order, gap, 0xFF);
         PackedImage result(width, 37, order, gap, 0xA5);
-        EXPECT_EQ(thin(rule, source.view(), result.view(), thinning), iterations);
+        EXPECT_EQ(thin_packed(rule, source.view(), result.view(), thinning), iterations);
         EXPECT_EQ(result, PackedImage(expected.view(), order, gap, 0xA5)) << width;
       }
     }
@@ -63,7 +63,7 @@ TEST(PackedThin, works_in_place_and_from_one_bit_order_to_the_other) {
     PackedImage bits(image.view(), BitOrder::msb_first, 3);
     PackedView to = bits.view();
     to.order = order;
-    thin(Rule::zhang_suen, bits.view(), to);
+    thin_packed(Rule::zhang_suen, bits.view(), to);
     EXPECT_EQ(bits.bytes(), PackedImage(expected.view(), order, 3).bytes());
   }
 }
@@ -74,7 +74,7 @@ TEST(PackedThin, works_from_one_side_of_a_buffer_to_the_other) {
   PackedImage both(image.view(), BitOrder::msb_first, 5);
   PackedView right = both.view();
   right.data += 5;
-  thin(Rule::guo_hall, both.view(), right);
+  thin_packed(Rule::guo_hall, both.view(), right);
   for (Index y = 0; y < 30; ++y) {
     EXPECT_TRUE(std::equal(right.row(y), right.row(y) + 5, expected.view().row(y))) << y;
   }
@@ -82,9 +82,10 @@ TEST(PackedThin, works_from_one_side_of_a_buffer_to_the_other) {
 
 TEST(PackedThin, takes_one_iteration_for_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}}) {
-    EXPECT_EQ(thin(Rule::guo_hall, ConstPackedView(nullptr, width, height, BitOrder::msb_first),
-                   PackedView(nullptr, width, height, BitOrder::msb_first)),
-              1);
+    EXPECT_EQ(
+        thin_packed(Rule::guo_hall, ConstPackedView(nullptr, width, height, BitOrder::msb_first),
+                    PackedView(nullptr, width, height, BitOrder::msb_first)),
+        1);
   }
 }
 
@@ -111,10 +112,10 @@ TEST(PackedThin, rejects_invalid_views) {
       {{to.data() + 1, 20, 10, order}, out, "overlap without being the same image"},
   };
   for (const auto& [source, destination, part] : cases) {
-    expect_rejected([&, in = source, result = destination] { thin(Rule::guo_hall, in, result); },
-                    part);
+    expect_rejected(
+        [&, in = source, result = destination] { thin_packed(Rule::guo_hall, in, result); }, part);
   }
-  expect_rejected([&] { thin(Rule::guo_hall, good, out, {}, {.threads = 0}); },
+  expect_rejected([&] { thin_packed(Rule::guo_hall, good, out, {}, {.threads = 0}); },
                   "threads: expected an integer in [1, 1024], got 0");
 }
 

@@ -31,9 +31,9 @@ TEST(FillHoles, fills_holes_and_the_objects_inside_them) {
 TEST(FillHoles, depends_on_the_connectivity_of_objects) {
   const ByteImage image = image_of({".#.....", "#.#.###", ".#..#.#", "....###"});
   ByteImage filled(image.width(), image.height());
-  fill_holes(image.view(), filled.view(), Connectivity::four, kAnyHoleArea);
+  fill_holes(image.view(), filled.view(), {Connectivity::four});
   EXPECT_EQ(text_of(filled), (TextImage{".#.....", "#.#.###", ".#..###", "....###"}));
-  fill_holes(image.view(), filled.view(), Connectivity::eight, kAnyHoleArea);
+  fill_holes(image.view(), filled.view(), {Connectivity::eight});
   EXPECT_EQ(text_of(filled), (TextImage{".#.....", "###.###", ".#..###", "....###"}));
 }
 
@@ -43,7 +43,7 @@ TEST(FillHoles, fills_holes_up_to_an_area_without_the_objects_inside_them) {
   const TextImage all = {"#####..", "#######", "#######", "#######", "#####.."};
   ByteImage filled(image.width(), image.height());
   const auto filled_up_to = [&](std::int64_t area) {
-    fill_holes(image.view(), filled.view(), Connectivity::eight, area);
+    fill_holes(image.view(), filled.view(), {Connectivity::eight, area});
     return text_of(filled);
   };
   EXPECT_EQ(filled_up_to(0), text_of(image));

@@ -10,7 +10,6 @@
 #include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/untouched.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/binarise.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
@@ -19,6 +18,7 @@
 #include "thinbench/graph_paths.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/midpoint_scan.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
@@ -48,13 +48,13 @@ const std::vector<Operation>& operations() {
        [](Source from, Destination to, How how) { thin(Rule::guo_hall, from, to, {}, how); }},
       {"midpoint_scan", [](Source from, Destination to,
                            How how) { midpoint_scan(from, to, {}, Border::background, how); }},
-      {"fill_holes", [](Source from, Destination to, How how) { fill_holes(from, to, how); }},
+      {"fill_holes", [](Source from, Destination to, How how) { fill_holes(from, to, {}, how); }},
       {"fill_holes up to an area",
        [](Source from, Destination to, How how) {
-         fill_holes(from, to, Connectivity::four, 3, how);
+         fill_holes(from, to, {Connectivity::four, 3}, how);
        }},
       {"localise_objects, written",
-       [](Source from, Destination to, How how) { (void)localise_objects(from, to, {}, how); }},
+       [](Source from, Destination to, How how) { (void)localise_objects(from, {}, how, to); }},
       {"detect_edges",
        [](Source from, Destination to, How how) {
          detect_edges(EdgeOperator::sobel, from, to, {}, how);
@@ -64,14 +64,15 @@ const std::vector<Operation>& operations() {
        [](Source from, Destination, How how) { (void)localise_objects(from, {}, how); }, false},
       {"find_regions", [](Source from, Destination, How how) { (void)find_regions(from, how); },
        false},
-      {"find_components",
-       [](Source from, Destination, How how) { (void)find_components(from, how); }, false},
+      {"find_objects", [](Source from, Destination, How how) { (void)find_objects(from, how); },
+       false},
       {"euler_number",
        [](Source from, Destination, How how) { (void)euler_number(from, Connectivity::four, how); },
        false},
       {"skeleton_graph", [](Source from, Destination, How how) { (void)skeleton_graph(from, how); },
        false},
-      {"full_blocks", [](Source from, Destination, How how) { (void)full_blocks(from, how); }, false},
+      {"full_blocks", [](Source from, Destination, How how) { (void)full_blocks(from, how); },
+       false},
       {"classify_pixels",
        [](Source from, Destination to, How how) { classify_pixels(from, to, {}, how); }, false},
       {"binarise", [](Source from, Destination to, How how) { (void)binarise(from, to, {}, how); }},
@@ -154,15 +155,20 @@ TEST(Operations, reject_numbers_of_threads_and_instruction_sets_that_there_are_n
   }
 }
 
-TEST(Operations, of_an_instruction_set_without_a_variant_list_the_others) {
-  Untouched from, to;
-  const ConstImageView source = {from.data(), 20, 8, 64};
-  const ImageView destination = {to.data(), 20, 8, 64};
-  if (all_isas().size() < 5) return;  // or the list is shorter
-  expect_rejected(
-      [&] { detect_edges(EdgeOperator::sobel, source, destination, {}, {.isa = Isa::avx512icl}); },
-      "edges_sobel at avx512icl on one thread: its instruction sets are baseline, sse4.2, avx2, "
-      "avx512");
+TEST(Operations, take_every_available_instruction_set_and_reject_others) {
+  ByteImage both(64, 8);
+  const ImageView source = {both.view().data, 20, 8, 64};
+  const ImageView destination = {both.view().data + 20, 20, 8, 64};
+  for (const Operation& operation : operations()) {
+    for (int number = 0; number <= static_cast<int>(Isa::neon_sha3); ++number) {
+      const auto isa = static_cast<Isa>(number);
+      const std::string rejection =
+          rejection_of([&] { operation.call(source, destination, {.isa = isa}); });
+      const std::string expected = "isa: " + std::string(isa_name(isa)) + " is not available: ";
+      EXPECT_EQ(rejection.substr(0, expected.size()), isa_available(isa) ? "" : expected)
+          << operation.name;
+    }
+  }
 }
 
 TEST(Thinning, rejects_options_wherever_they_are_given) {
@@ -174,10 +180,10 @@ TEST(Thinning, rejects_options_wherever_they_are_given) {
     const Rule rule = info.rule;
     const auto expect_all_rejected = [&](const Thinning& thinning, const std::string& part) {
       expect_rejected([&] { thin(rule, image, image, thinning); }, part);
-      expect_rejected([&] { thin(rule, bits, bits, thinning); }, part);
+      expect_rejected([&] { thin_packed(rule, bits, bits, thinning); }, part);
       expect_rejected([&] { Thinner(rule, 20, 8, thinning); }, part);
-      expect_rejected([&] { thin_batch(rule, stack, stack, thinning); }, part);
-      expect_rejected([&] { ThinningBatch(rule, 20, 8, thinning); }, part);
+      expect_rejected([&] { thin_stack(rule, stack, stack, thinning); }, part);
+      expect_rejected([&] { StackThinner(rule, 20, 8, thinning); }, part);
     };
     for (const int limit : {0, -1}) {
       expect_all_rejected(
@@ -232,13 +238,19 @@ TEST(Enumerations, reject_values_outside_them) {
                   "directions: expected bits in [0, 15], got 16");
   for (const auto& [border, name] :
        {std::pair{Border::foreground, "foreground"}, {static_cast<Border>(7), "7"}}) {
-    expect_rejected([&] { midpoint_scan(image, image, {}, border); },
+    expect_rejected([&, given = border] { midpoint_scan(image, image, {}, given); },
                     std::string("border: expected background or keep, got ") + name);
   }
-  expect_rejected([&] { fill_holes(image, image, static_cast<Connectivity>(6), 1); },
-                  "connectivity: expected 4 or 8, got 6");
-  expect_rejected([&] { fill_holes(image, image, Connectivity::four, -1); },
-                  "max_area: expected at least 0, got -1");
+  expect_rejected(
+      [&] {
+        fill_holes(image, image, {static_cast<Connectivity>(6), 1});
+      },
+      "connectivity: expected 4 or 8, got 6");
+  expect_rejected(
+      [&] {
+        fill_holes(image, image, {Connectivity::four, -1});
+      },
+      "max_area: expected at least 0, got -1");
 }
 
 TEST(Colours, share_no_byte_with_their_grey_levels) {
@@ -313,7 +325,7 @@ TEST(Sizes, beyond_what_coordinates_can_hold_are_rejected) {
       "image size 0 x 536870913 has a side above 2^29 pixels");
   expect_rejected(
       [&] {
-        (void)find_components({memory.data(), 1 << 17, 1 << 17});
+        (void)find_objects({memory.data(), 1 << 17, 1 << 17});
       },
       "image size 131072 x 131072 is larger than 2^32 pixels");
   for (const auto& [width, height, part] : std::vector<std::tuple<Index, Index, std::string>>{
@@ -322,18 +334,18 @@ TEST(Sizes, beyond_what_coordinates_can_hold_are_rejected) {
            {Index{1} << 40, 2, "image size 1099511627776 x 2 is larger than 2^40 pixels"},
            {2, std::numeric_limits<Index>::max(), "9223372036854775807 is larger than 2^40"}}) {
     expect_rejected([w = width, h = height] { Thinner(Rule::guo_hall, w, h); }, part);
-    expect_rejected([w = width, h = height] { ThinningBatch(Rule::guo_hall, w, h); }, part);
+    expect_rejected([w = width, h = height] { StackThinner(Rule::guo_hall, w, h); }, part);
   }
 }
 
 TEST(Plans, reject_images_of_another_size) {
   Untouched memory;
   Thinner thinner(Rule::guo_hall, 20, 8);
-  ThinningBatch batch(Rule::guo_hall, 20, 8);
+  StackThinner stack_thinner(Rule::guo_hall, 20, 8);
   const ImageView image = {memory.data(), 20, 9, 64};
   const StackView stack = {memory.data(), 2, 5, 6};
   expect_rejected([&] { thinner(image, image); }, "expected images of 20 x 8, got 20 x 9");
-  expect_rejected([&] { batch(stack, stack); }, "expected images of 20 x 8, got 5 x 6");
+  expect_rejected([&] { stack_thinner(stack, stack); }, "expected images of 20 x 8, got 5 x 6");
 }
 
 }  // namespace

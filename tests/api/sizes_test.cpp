@@ -60,7 +60,7 @@ void expect_right(Index width, Index height, std::string_view technique, int thr
   std::array<std::uint8_t, std::size_t{8 * kBlockBytes * kBlock}> small{};
   const PackedView expected(small.data(), small_width, rows, BitOrder::msb_first);
   draw_blocks(expected);
-  thin(Rule::guo_hall, expected, expected);
+  thin_packed(Rule::guo_hall, expected, expected);
 
   const SparseMemory memory(packed_row_bytes(width) * height);
   const PackedView image(memory.data(), width, height, BitOrder::msb_first);

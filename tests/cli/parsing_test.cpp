@@ -67,7 +67,9 @@ TEST_F(Program, rejects_unknown_words_with_the_nearest_and_missing_and_excess_on
       {2, run + " --threshold", {"--threshold needs a value" + see}},
       {2, run + " more.png", {"'more.png' was not expected" + see}},
       {2, run + " --isa avx2 --isa avx2", {"--isa may be given only once" + see}},
-      {2, "run list holes run", {"no rule is named 'list'; known: thin_naccache_shinghal, "}},
+      {2,
+       "run list holes run",
+       {"no operation is named 'list'; known: skeleton_scan, thin_naccache_shinghal, "}},
   });
 }
 

@@ -83,14 +83,16 @@ TEST_F(IsaCapDeathTest, unknown_name_is_rejected) {
               "THINBENCH_MAX_ISA: expected one of " + all_isa_names() + ", got 'avx3'");
 }
 
-TEST_F(IsaCapDeathTest, unknown_name_is_reported_once_where_something_is_computed_and_caps_nothing) {
+TEST_F(IsaCapDeathTest,
+       unknown_name_is_reported_once_where_something_is_computed_and_caps_nothing) {
   const IsaCap cap("avx3");
   const auto compute_twice = [] {
     const bool same = best_isa() == best_isa();
     exit_with(same && isa_available(Isa::baseline) == cpu_supports(Isa::baseline));
   };
-  EXPECT_EXIT(compute_twice(), testing::ExitedWithCode(0),
-              "^thinbench: THINBENCH_MAX_ISA: expected one of [^\n]*, got 'avx3'; there is no cap\n$");
+  EXPECT_EXIT(
+      compute_twice(), testing::ExitedWithCode(0),
+      "^thinbench: THINBENCH_MAX_ISA: expected one of [^\n]*, got 'avx3'; there is no cap\n$");
 }
 
 }  // namespace

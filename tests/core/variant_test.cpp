@@ -10,72 +10,80 @@
 namespace thinbench::detail {
 namespace {
 
-// All at the baseline, which is always available.
-constexpr VariantInfo kSlow = {.technique = "slow", .isa = Isa::baseline, .priority = 1};
-constexpr VariantInfo kThreaded = {
-    .technique = "slow", .isa = Isa::baseline, .threaded = true, .priority = 1};
-constexpr VariantInfo kFast = {.technique = "fast", .isa = Isa::baseline, .priority = 5};
-constexpr VariantInfo kNarrow = {
-    .technique = "narrow", .isa = Isa::baseline, .max_width = 512, .priority = 9};
+struct FakeState {
+  struct Parameters {};
+};
+using FakeVariants = VariantList<FakeState>;
 
 constexpr Index kLargeSide = 1024;  // of images that threads share
 
-std::size_t chosen(const std::vector<VariantInfo>& variants, Index width,
-                   const Execution& execution = {}, Index height = 10) {
-  return choose_variant("thin_it", variants, width, height, execution);
+/// The technique that is chosen.
+std::string_view chosen(FakeVariants variants, Index width, const Execution& execution = {},
+                        Index height = 10) {
+  return choose_variant(variants.take(), width, height, execution).technique;
 }
 
-std::string rejection(const std::vector<VariantInfo>& variants, Index width,
-                      const Execution& execution) {
-  return rejection_of([&] { static_cast<void>(chosen(variants, width, execution, kLargeSide)); });
+/// All at the baseline, which is always available.
+FakeVariants slow_fast_and_narrow() {
+  FakeVariants list;
+  list.add("slow", Isa::baseline, nullptr, {1});
+  list.add("narrow", Isa::baseline, nullptr, {9, 512});
+  list.add("fast", Isa::baseline, nullptr, {5});
+  return list;
 }
 
 TEST(ChooseVariant, takes_the_highest_priority_that_fits) {
-  EXPECT_EQ(chosen({kSlow, kFast, kNarrow}, 512), 2U);
-  EXPECT_EQ(chosen({kSlow, kFast, kNarrow}, 513), 1U) << "too wide for the fastest";
-  EXPECT_EQ(chosen({kNarrow, kFast, kSlow}, 512), 0U) << "the order of the list does not matter";
+  EXPECT_EQ(chosen(slow_fast_and_narrow(), 512), "narrow");
+  EXPECT_EQ(chosen(slow_fast_and_narrow(), 513), "fast") << "too wide for the fastest";
 }
 
 TEST(ChooseVariant, takes_the_first_of_equal_priorities) {
-  EXPECT_EQ(chosen({kSlow, kSlow}, 5), 0U);
+  FakeVariants list;
+  list.add("first", Isa::baseline, nullptr, {1});
+  list.add("second", Isa::baseline, nullptr, {1});
+  EXPECT_EQ(chosen(std::move(list), 5), "first");
 }
 
 TEST(ChooseVariant, takes_a_threaded_variant_only_for_several_threads_and_large_images) {
-  const std::vector<VariantInfo> variants = {kSlow, kThreaded, kFast};
-  EXPECT_EQ(chosen(variants, kLargeSide, {.threads = 2}, kLargeSide), 1U);
-  EXPECT_EQ(chosen(variants, kLargeSide, {}, kLargeSide), 2U);
-  EXPECT_EQ(chosen(variants, kLargeSide, {.threads = 2}, kLargeSide - 1), 2U);
-  EXPECT_EQ(chosen(variants, Index{1} << 40, {.threads = 2}, 0), 2U);
-  EXPECT_EQ(chosen(variants, Index{1} << 19, {.threads = 2}, Index{1} << 44), 1U);
+  const auto chosen_of = [](Index width, Index height, int threads) {
+    FakeVariants list = slow_fast_and_narrow();
+    list.add("threaded", Isa::baseline, nullptr, {2}, true);
+    return chosen(std::move(list), width, {.threads = threads}, height);
+  };
+  EXPECT_EQ(chosen_of(kLargeSide, kLargeSide, 2), "threaded");
+  EXPECT_EQ(chosen_of(kLargeSide, kLargeSide, 1), "fast");
+  EXPECT_EQ(chosen_of(kLargeSide, kLargeSide - 1, 2), "fast");
+  EXPECT_EQ(chosen_of(Index{1} << 40, 0, 2), "fast");
+  EXPECT_EQ(chosen_of(Index{1} << 19, Index{1} << 44, 2), "threaded");
 }
 
 TEST(ChooseVariant, takes_one_thread_where_no_variant_uses_several) {
-  EXPECT_EQ(chosen({kSlow, kFast}, kLargeSide, {.threads = 2}, kLargeSide), 1U);
+  EXPECT_EQ(chosen(slow_fast_and_narrow(), kLargeSide, {.threads = 2}, kLargeSide), "fast");
+}
+
+TEST(ChooseVariant, takes_the_requested_isa_or_the_next_lower_one) {
+  for (const Isa highest : all_isas()) {
+    if (!isa_available(highest)) continue;
+    FakeVariants all;
+    for (const Isa isa : all_isas()) all.add(isa_name(isa), isa, nullptr, {});
+    EXPECT_EQ(chosen(std::move(all), 5, {.isa = highest}), isa_name(highest));
+    EXPECT_EQ(chosen(slow_fast_and_narrow(), 5, {.isa = highest}), "narrow");
+  }
 }
 
 TEST(ChooseVariant, rejects_threads_out_of_range) {
   for (const int threads : {0, kMaxThreads + 1}) {
-    EXPECT_EQ(rejection({kSlow}, 5, {.threads = threads}),
+    EXPECT_EQ(rejection_of([&] { chosen(slow_fast_and_narrow(), 5, {.threads = threads}); }),
               "threads: expected an integer in [1, 1024], got " + std::to_string(threads));
   }
 }
 
-TEST(ChooseVariant, error_lists_the_existing_isas) {
-  EXPECT_EQ(rejection({kSlow, kFast}, 5, {.isa = Isa::avx2}),
-            "thin_it at avx2 on one thread: its instruction sets are baseline");
-  EXPECT_EQ(rejection({kSlow, kThreaded}, kLargeSide, {.threads = 2, .isa = Isa::avx2}),
-            "thin_it at avx2 with threads: its instruction sets are baseline");
+TEST(ChooseVariant, rejects_an_isa_that_the_machine_lacks) {
+  const Isa isa = cpu_supports(Isa::avx2) ? Isa::neon_sha3 : Isa::avx2;
+  EXPECT_EQ(rejection_of([&] { chosen(slow_fast_and_narrow(), 5, {.isa = isa}); }),
+            "isa: " + std::string(isa_name(isa)) + " is not available: this machine lacks " +
+                missing_features(isa));
 }
-
-TEST(ChooseVariant, error_names_the_width_limit) {
-  EXPECT_EQ(rejection({kNarrow}, 513, {}),
-            "thin_it at any instruction set on one thread: wider than this variant's limit of 512 "
-            "pixels");
-}
-
-struct FakeState {
-  struct Parameters {};
-};
 
 TEST(VariantList, ranks_every_variant_of_a_later_isa_above_all_of_an_earlier_one) {
   VariantList<FakeState> list;

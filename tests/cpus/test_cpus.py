@@ -52,7 +52,7 @@ def test_the_missing_features_are_named(variants):
 def test_the_fastest_that_is_available_is_of_the_best_instruction_set(variants):
     cpu, listed = variants
     fastest = {v["isa"] for v in listed if v["fastest"] and v["operation"] == "thin_guo_hall"}
-    assert fastest == {max(CPUS[cpu][0], key=["baseline", "sse4.2", "avx2"].index)}
+    assert fastest == {"avx2" if "avx2" in CPUS[cpu][0] else "baseline"}
 
 
 def test_all_that_runs_equals_the_reference(variants):

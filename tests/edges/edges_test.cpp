@@ -100,7 +100,7 @@ TEST(EdgeVariants, prefer_8_bit_lanes_if_available_and_16_bit_lanes_otherwise) {
     const bool has_8_bit =
         std::any_of(operation.variants.begin(), operation.variants.end(),
                     [](const auto& one) { return one.technique == "simd_8bit"; });
-    const auto& chosen = detail::choose_variant(operation.name, operation.variants, 100, 10, {});
+    const auto& chosen = detail::choose_variant(operation.variants, 100, 10, {});
     EXPECT_EQ(chosen.technique, has_8_bit ? "simd_8bit" : "simd_16bit") << operation.name;
   }
 }

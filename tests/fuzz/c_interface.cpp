@@ -30,11 +30,11 @@ void spoil(ByteSource& input, Index& value) {
   if (input.once_in(24)) value = input.pick(kAbsurd);
 }
 
-/// A stack in memory that ends with its last pixel. Arguments may say something else.
+/// A stack, or an image, in memory that ends with its last pixel. Arguments may say something else.
 class Stack {
  public:
-  Stack(ByteSource& input, const DrawnSize& size, Index count)
-      : count_(count), height_(size.height), width_(size.width) {
+  explicit Stack(ByteSource& input, const DrawnSize& size, std::optional<Index> images = {})
+      : count_(images.value_or(1)), height_(size.height), width_(size.width) {
     stride_ = width_ + (input.once_in(3) ? input.number(1, 20) : 0);
     const bool has_rows = width_ > 0 && height_ > 0;
     const Index image_bytes = has_rows ? (height_ - 1) * stride_ + width_ : 0;
@@ -43,15 +43,23 @@ class Stack {
     data_.reset(new std::uint8_t[static_cast<std::size_t>(bytes_)]);
     std::fill_n(data_.get(), bytes_, kGuard);
     pixels_ = input.once_in(24) ? nullptr : data_.get();
-    for (Index* value : {&count_, &height_, &width_, &stride_, &image_stride_})
-      spoil(input, *value);
+    for (Index* value : {&height_, &width_, &stride_}) spoil(input, *value);
+    if (!images) return;
+    for (Index* value : {&count_, &image_stride_}) spoil(input, *value);
   }
 
-  [[nodiscard]] thinbench_stack source() const {
-    return {pixels_, count_, height_, width_, stride_, image_stride_};
+  void describe(thinbench_stack& stack, std::uint8_t foreground) const {
+    stack = {sizeof(stack), pixels_,       count_,     width_, height_,
+             stride_,       image_stride_, foreground, {}};
   }
-  [[nodiscard]] thinbench_output output(std::uint8_t foreground) {
-    return {pixels_, stride_, image_stride_, foreground};
+  void describe(thinbench_image& image, std::uint8_t foreground) const {
+    image = {sizeof(image), pixels_, width_, height_, stride_, foreground, {}};
+  }
+  template <class Struct = thinbench_image>
+  [[nodiscard]] Struct described(std::uint8_t foreground = 0) const {
+    Struct found = {};
+    describe(found, foreground);
+    return found;
   }
   [[nodiscard]] Index count() const { return count_; }
   [[nodiscard]] ConstImageView image(Index i) const {
@@ -115,20 +123,22 @@ class Stack {
 
 constexpr std::array<const char*, 4> kNonsense = {nullptr, "", "nonsense", "guo_hall\n"};
 
-/// A struct that begins with its size, or none.
+/// A struct that begins with its size, or none, and what a later version may have after it.
 template <class Struct>
 struct Drawn {
   bool given = false;
   Struct value = {};
+  std::array<std::uint8_t, 16> more = {};
 
   [[nodiscard]] const Struct* pointer() const { return given ? &value : nullptr; }
 };
 
 template <class Struct>
 Drawn<Struct> draw_struct(ByteSource& input, const Struct& defaults) {
-  constexpr std::array<std::size_t, 6> sizes = {
-      0, 8, sizeof(Struct) - 1, sizeof(Struct) + 1, 4096, SIZE_MAX};
+  constexpr std::array<std::size_t, 7> sizes = {
+      0, 8, sizeof(Struct) - 1, sizeof(Struct) + 1, sizeof(Struct) + 16, 4096, SIZE_MAX};
   Drawn<Struct> drawn = {input.once_in(2), defaults};
+  if (input.once_in(32)) drawn.more[input.byte() % 16] = input.byte();
   if (drawn.given && input.once_in(32)) drawn.value.size = input.pick(sizes);
   return drawn;
 }
@@ -246,7 +256,7 @@ class Caller {
 
   void call() {
     constexpr std::array<Call, 12> calls = {
-        &Caller::thin_stack,  &Caller::thin_stack,   &Caller::thin_many, &Caller::thin_packed,
+        &Caller::thin,        &Caller::thin_stack,   &Caller::thin_many, &Caller::thin_packed,
         &Caller::thin_labels, &Caller::use_thinner,  &Caller::ask_rule,  &Caller::ask_rule,
         &Caller::find_edges,  &Caller::find_regions, &Caller::fill,      &Caller::call_more};
     (this->*input_.pick(calls))();
@@ -259,12 +269,13 @@ class Caller {
     (this->*input_.pick(calls))();
   }
 
-  /// Calls `run(source, destination)` on drawn stacks; compares images of an accepted call with
-  /// those of `expect(source, destination)`, whose results are ANDed with the foreground.
-  template <class Run, class Expect>
-  void check_stacks(bool in_place_allowed, const Run& run, const Expect& expect) {
+  /// Calls `run(source, destination)` on drawn images or stacks; compares images of an accepted
+  /// call with those of `expect(source, destination)`, whose results are ANDed with the foreground.
+  template <class Struct = thinbench_image, class Run, class Expect>
+  void check(bool in_place_allowed, const Run& run, const Expect& expect) {
     constexpr std::array<std::uint8_t, 4> foregrounds = {0, 255, 1, 128};
-    const Index count = input_.once_in(2) ? 1 : input_.number(0, 5);
+    std::optional<Index> count;
+    if (std::is_same_v<Struct, thinbench_stack>) count = input_.number(0, 5);
     const DrawnSize size = draw_size(input_);
     Stack source(input_, size, count);
     Stack other(input_, size, count);
@@ -275,14 +286,14 @@ class Caller {
     const std::uint8_t foreground = input_.pick(foregrounds);
     source.draw(input_);
     std::vector<ByteImage> expected;
-    const thinbench_stack from = source.source();
-    const thinbench_output to = destination.output(foreground);
+    const auto from = source.described<Struct>();
+    const auto to = destination.described<Struct>(foreground);
     const auto before = destination.bytes();
     for (Index i = 0; source.is_readable() && i < source.count(); ++i) {
       expected.push_back(copy_of(source.image(i)));
     }
-    const thinbench_stack* const from_or_null = input_.once_in(32) ? nullptr : &from;
-    const thinbench_output* const to_or_null = input_.once_in(32) ? nullptr : &to;
+    const Struct* const from_or_null = input_.once_in(32) ? nullptr : &from;
+    const Struct* const to_or_null = input_.once_in(32) ? nullptr : &to;
     if (!is_accepted(run(from_or_null, to_or_null))) {
       must(destination.bytes() == before, "a rejected call wrote");
       return;
@@ -303,16 +314,19 @@ class Caller {
     must_be_equal(found, expected.view(), "an image");
   }
 
-  void thin_stack() {
+  void thin() { thin_as<thinbench_image>(thinbench_thin); }
+  void thin_stack() { thin_as<thinbench_stack>(thinbench_thin_stack); }
+
+  template <class Struct, class Function>
+  void thin_as(const Function& function) {
     const DrawnCall call(input_);
     std::int32_t iterations = -1;
     int most = 0;
-    check_stacks(
+    check<Struct>(
         true,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_thin(call.rule, source, destination, call.thinning.pointer(),
-                                call.execution.pointer(),
-                                input_.once_in(4) ? nullptr : &iterations);
+        [&](const Struct* source, const Struct* destination) {
+          return function(call.rule, source, destination, call.thinning.pointer(),
+                          call.execution.pointer(), input_.once_in(4) ? nullptr : &iterations);
         },
         [&](const ConstImageView& source, const ImageView& destination) {
           const int used = call.by_reference(source, destination);
@@ -328,14 +342,12 @@ class Caller {
     if (input_.once_in(16)) width = input_.once_in(2) ? kMost : -1;
     thinbench_thinner* thinner = nullptr;
     const bool made = is_accepted(thinbench_thinner_create(
-        call.rule, height, width, call.thinning.pointer(), call.execution.pointer(),
+        call.rule, width, height, call.thinning.pointer(), call.execution.pointer(),
         input_.once_in(32) ? nullptr : &thinner));
     must(made == (thinner != nullptr), "a handle without a thinner");
-    must(made == (thinbench_thinner_technique(thinner) != nullptr), "no technique");
-    must(made == (thinbench_thinner_isa(thinner) != nullptr), "no ISA");
-    check_stacks(
+    check(
         true,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
+        [&](const thinbench_image* source, const thinbench_image* destination) {
           return thinbench_thinner_run(thinner, source, destination, nullptr);
         },
         [&](const ConstImageView& source, const ImageView& destination) {
@@ -348,20 +360,20 @@ class Caller {
     const DrawnCall call(input_);
     const Index count = input_.number(0, 6);
     std::vector<Stack> stacks;
-    std::vector<thinbench_stack> sources;
-    std::vector<thinbench_output> destinations;
+    std::vector<thinbench_image> sources;
+    std::vector<thinbench_image> destinations;
     std::vector<ByteImage> images;
     for (Index i = 0; i < count; ++i) {
       const DrawnSize size = draw_size(input_);
-      stacks.emplace_back(input_, size, 1);
-      Stack destination(input_, size, 1);
+      stacks.emplace_back(input_, size);
+      Stack destination(input_, size);
       destination.resize_as(stacks.back());
       if (!stacks.back().is_safe() || !destination.is_safe()) return;
       stacks.back().draw(input_);
-      sources.push_back(stacks.back().source());
+      sources.push_back(stacks.back().described());
       images.push_back(stacks.back().is_readable() ? copy_of(stacks.back().image(0)) : ByteImage());
       stacks.push_back(std::move(destination));
-      destinations.push_back(stacks.back().output(255));
+      destinations.push_back(stacks.back().described(255));
     }
     const bool is_null = input_.once_in(32);
     if (!is_accepted(thinbench_thin_many(call.rule, is_null ? nullptr : sources.data(),
@@ -386,20 +398,27 @@ class Caller {
     PackedImage destination(size.width, size.height, order, input_.number(0, 3));
     const ConstPackedView from = source.view();
     const PackedView to = destination.view();
-    thinbench_packed given = {from.data, from.height, from.width, from.stride,
-                              order == BitOrder::lsb_first ? 1 : 0};
-    Index stride = to.stride;
+    const std::int32_t lsb_first = order == BitOrder::lsb_first ? 1 : 0;
+    thinbench_packed given = THINBENCH_PACKED_INIT;
+    given.width = from.width;
+    given.height = from.height;
+    given.lsb_first = lsb_first;
+    thinbench_packed result = given;
+    given.data = const_cast<std::uint8_t*>(from.data);
+    given.stride = from.stride;
+    result.data = to.data;
+    result.stride = to.stride;
     // Only what must be rejected: more than one value at a time could be valid by chance.
     if (input_.once_in(8)) {
       constexpr std::array<Index, 3> rejected = {-1, kLeast, kMost};
-      Index* const values[] = {&given.height, &given.width, &given.stride, &stride};
+      Index* const values[] = {&given.height,  &given.width,  &given.stride,
+                               &result.height, &result.width, &result.stride};
       Index& value = *input_.pick(values);
       value = input_.pick(rejected);
       if (value == kMost && size.height <= 1) return;
     }
-    if (!is_accepted(thinbench_thin_packed(call.rule, &given, to.data, stride,
-                                           call.thinning.pointer(), call.execution.pointer(),
-                                           nullptr))) {
+    if (!is_accepted(thinbench_thin_packed(call.rule, &given, &result, call.thinning.pointer(),
+                                           call.execution.pointer(), nullptr))) {
       return;
     }
     ByteImage expected(size.width, size.height);
@@ -410,23 +429,22 @@ class Caller {
 
   void thin_labels() {
     const DrawnCall call(input_);
-    auto [width, height] = draw_size(input_);
+    const auto [width, height] = draw_size(input_);
     std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
     for (std::int32_t& label : labels) label = input_.byte() % 4 == 0 ? 5 : 0;
     std::vector<std::uint8_t> mask(labels.begin(), labels.end());
     std::vector<std::int32_t> found(labels.size());
-    Index source_stride = width;
-    Index stride = width;
     const DrawnSize size = {width, height};
+    thinbench_labels source = {sizeof(source), labels.data(), width, height, width};
+    thinbench_labels result = {sizeof(result), found.data(), width, height, width};
     if (input_.once_in(8)) {
       constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost, -(Index{1} << 62)};
-      Index* const values[] = {&source_stride, &stride, &width, &height};
+      Index* const values[] = {&source.stride, &source.width, &result.stride, &result.height};
       Index& value = *input_.pick(values);
       value = input_.pick(rejected);
       if (value == kMost && (size.height <= 1 || size.width == 0)) return;
     }
-    if (!is_accepted(thinbench_thin_labels(call.rule, labels.data(), source_stride, found.data(),
-                                           stride, height, width, call.thinning.pointer(),
+    if (!is_accepted(thinbench_thin_labels(call.rule, &source, &result, call.thinning.pointer(),
                                            call.execution.pointer(), nullptr))) {
       return;
     }
@@ -475,11 +493,11 @@ class Caller {
     const auto gradient = static_cast<std::int32_t>(input_.number(-1, 256));
     const auto brightness = static_cast<std::int32_t>(input_.number(-1, 256));
     const auto execution = draw_execution(input_);
-    check_stacks(
+    check(
         false,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_edges(name, source, destination, gradient, brightness,
-                                 execution.pointer());
+        [&](const thinbench_image* source, const thinbench_image* destination) {
+          return thinbench_detect_edges(name, source, destination, gradient, brightness,
+                                        execution.pointer());
         },
         [&](const ConstImageView& source, const ImageView& destination) {
           reference::edges (*edge_operator_from_name(name))({gradient, brightness}, source,
@@ -490,15 +508,16 @@ class Caller {
   void fill() {
     const auto execution = draw_execution(input_);
     const bool four = input_.number(0, 1) == 1;
-    const std::int64_t max_area = input_.number(0, 1) == 1 ? INT64_MAX : input_.number(0, 50);
-    check_stacks(
+    thinbench_hole_filling filling = THINBENCH_HOLE_FILLING_INIT;
+    filling.connectivity = four ? 4 : 8;
+    if (input_.number(0, 1) == 0) filling.max_area = input_.number(0, 50);
+    check(
         true,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_fill_small_holes(source, destination, four ? 4 : 8, max_area,
-                                            execution.pointer());
+        [&](const thinbench_image* source, const thinbench_image* destination) {
+          return thinbench_fill_holes(source, destination, &filling, execution.pointer());
         },
         [&](const ConstImageView& source, const ImageView& destination) {
-          reference::fill_small_holes(source, destination, four, max_area);
+          reference::fill_small_holes(source, destination, four, filling.max_area);
         });
   }
 
@@ -518,18 +537,20 @@ class Caller {
     const auto execution = draw_execution(input_);
     const Stack source = draw_image();
     if (!source.is_safe()) return;
-    const thinbench_stack from = source.source();
+    const thinbench_image from = source.described();
     std::vector<std::int32_t> labels(
         source.is_readable() ? static_cast<std::size_t>(from.width * from.height) : 0);
+    const thinbench_labels to = {sizeof(to), labels.data(), from.width, from.height, from.width};
     const bool with_labels = source.is_readable() && input_.once_in(2);
     thinbench_regions* regions = nullptr;
     std::int64_t euler = 0;
     const auto connectivity = static_cast<std::int32_t>(input_.once_in(16) ? 6 : 8);
     const bool has_euler =
         is_accepted(thinbench_euler_number(&from, connectivity, execution.pointer(), &euler));
-    if (is_accepted(thinbench_find_regions(&from, with_labels ? labels.data() : nullptr, from.width,
-                                           execution.pointer(), &regions)) &&
-        source.is_readable()) {
+    const auto status = with_labels
+                            ? thinbench_label_regions(&from, &to, execution.pointer(), &regions)
+                            : thinbench_find_regions(&from, execution.pointer(), &regions);
+    if (is_accepted(status) && source.is_readable()) {
       const reference::Regions expected = reference::holes(source.image(0));
       compare_list<thinbench_region>(regions, thinbench_regions_objects, expected.objects);
       compare_list<thinbench_region>(regions, thinbench_regions_holes, expected.holes);
@@ -537,28 +558,29 @@ class Caller {
     }
     thinbench_regions_destroy(regions);
     regions = nullptr;
-    check_status(thinbench_localise(&from, static_cast<std::int32_t>(input_.number(-1, 256)), 128,
-                                    execution.pointer(), &regions));
+    check_status(thinbench_localise_objects(&from, nullptr,
+                                            static_cast<std::int32_t>(input_.number(-1, 256)), 128,
+                                            execution.pointer(), &regions));
     thinbench_regions_destroy(regions);
   }
 
-  /// An image, or a stack of two, which no function of one image takes.
   Stack draw_image() {
-    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    Stack source(input_, draw_size(input_));
     if (source.is_safe()) source.draw(input_);
     return source;
   }
 
-  /// Where an image is read, memory for a number per pixel with gaps between rows, and its stride;
+  /// Where an image is read, memory for a number per pixel with gaps between rows, and its struct;
   /// or a stride that must be rejected.
-  std::vector<std::int32_t> draw_numbers(const Stack& source, Index& stride) {
+  std::vector<std::int32_t> draw_numbers(const Stack& source, thinbench_labels& view) {
     constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost / 2, kMost};
+    const thinbench_image from = source.described();
+    view = {sizeof(view), nullptr, from.width, from.height, 0};
     if (!source.is_readable()) return std::vector<std::int32_t>(1, -7);
-    const thinbench_stack from = source.source();
-    stride = from.width + (input_.once_in(3) ? input_.number(1, 9) : 0);
-    const auto count = static_cast<std::size_t>((from.height - 1) * stride + from.width);
+    view.stride = from.width + (input_.once_in(3) ? input_.number(1, 9) : 0);
+    const auto count = static_cast<std::size_t>((from.height - 1) * view.stride + from.width);
     const bool is_spoiled = input_.once_in(16) && from.height > 4;
-    if (is_spoiled) stride = input_.pick(rejected);
+    if (is_spoiled) view.stride = input_.pick(rejected);
     return std::vector<std::int32_t>(count, -7);
   }
 
@@ -566,17 +588,17 @@ class Caller {
     const auto execution = draw_execution(input_);
     const Stack source = draw_image();
     if (!source.is_safe()) return;
-    const thinbench_stack from = source.source();
-    Index stride = 0;
-    std::vector<std::int32_t> found = draw_numbers(source, stride);
+    const thinbench_image from = source.described();
+    thinbench_labels view;
+    std::vector<std::int32_t> found = draw_numbers(source, view);
     std::vector<std::int32_t> expected = found;
-    const bool is_null = input_.once_in(32);
-    const bool is_accepted_call = is_accepted(thinbench_squared_distances(
-        &from, is_null ? nullptr : found.data(), stride, execution.pointer()));
+    view.data = input_.once_in(32) ? nullptr : found.data();
+    const bool is_accepted_call =
+        is_accepted(thinbench_squared_distances(&from, &view, execution.pointer()));
     if (is_accepted_call && source.is_readable()) {
-      must(!is_null, "NULL was accepted");
+      must(view.data != nullptr, "NULL was accepted");
       reference::squared_distances(source.image(0),
-                                   {expected.data(), from.width, from.height, stride});
+                                   {expected.data(), from.width, from.height, view.stride});
     }
     must(found == expected, "distances differ");
   }
@@ -593,7 +615,7 @@ class Caller {
     const auto execution = draw_execution(input_);
     const Stack source = draw_image();
     if (!source.is_safe()) return;
-    const thinbench_stack from = source.source();
+    const thinbench_image from = source.described();
     thinbench_graph* graph = nullptr;
     const bool is_found = is_accepted(thinbench_skeleton_graph(
         &from, execution.pointer(), input_.once_in(32) ? nullptr : &graph));
@@ -602,15 +624,22 @@ class Caller {
     thinbench_graph_destroy(graph);
     std::int64_t blocks = -1;
     thinbench_pixel first = {};
-    check_status(thinbench_full_blocks(&from, input_.once_in(32) ? nullptr : &blocks,
+    check_status(thinbench_full_blocks(&from, execution.pointer(),
+                                       input_.once_in(32) ? nullptr : &blocks,
                                        input_.once_in(2) ? nullptr : &first));
     const auto bytes =
         source.is_readable() ? static_cast<std::size_t>(from.width * from.height) : 0;
     std::vector<std::uint8_t> classes(bytes);
     std::vector<std::uint8_t> degrees(bytes);
-    check_status(thinbench_classify_pixels(
-        &from, input_.once_in(4) ? nullptr : classes.data(), input_.once_in(16) ? -1 : from.width,
-        input_.once_in(4) ? nullptr : degrees.data(), from.width));
+    thinbench_image kinds = from;
+    thinbench_image counts = from;
+    kinds.data = classes.data();
+    counts.data = degrees.data();
+    kinds.stride = input_.once_in(16) ? -1 : from.width;
+    counts.stride = from.width;
+    check_status(thinbench_classify_pixels(&from, input_.once_in(4) ? nullptr : &kinds,
+                                           input_.once_in(4) ? nullptr : &counts,
+                                           execution.pointer()));
   }
 
   thinbench_pruning draw_pruning() {
@@ -626,55 +655,46 @@ class Caller {
     return pruning;
   }
 
-  /// The components of an image, their graphs and distances, with strides that may not fit.
+  /// The objects of an image, their graphs and distances, with strides that may not fit.
   void use_labels() {
     const auto execution = draw_execution(input_);
     const Stack source = draw_image();
     if (!source.is_safe()) return;
-    const thinbench_stack from = source.source();
-    Index stride = 0;
-    std::vector<std::int32_t> labels = draw_numbers(source, stride);
+    const thinbench_image from = source.described();
+    thinbench_labels view;
+    std::vector<std::int32_t> labels = draw_numbers(source, view);
+    view.data = labels.data();
     thinbench_regions* regions = nullptr;
     const char* const orders[] = {"raster", nullptr, "other"};
-    const bool is_labelled = is_accepted(
-        thinbench_label_components(&from, labels.data(), stride, input_.once_in(16) ? 5 : 8,
-                                   input_.pick(orders), execution.pointer(), &regions));
+    const bool is_labelled =
+        is_accepted(thinbench_label_objects(&from, &view, input_.once_in(16) ? 5 : 8,
+                                            input_.pick(orders), execution.pointer(), &regions));
     thinbench_regions_destroy(regions);
     if (!is_labelled || !source.is_readable()) return;
-    std::vector<double> distances(labels.size());
-    check_status(thinbench_label_distances(labels.data(), stride,
-                                           input_.once_in(16) ? nullptr : distances.data(), stride,
-                                           from.height, from.width, nullptr, execution.pointer()));
+    std::vector<double> numbers(labels.size());
+    thinbench_reals distances = {sizeof(distances), numbers.data(), view.width, view.height,
+                                 view.stride};
+    if (input_.once_in(16)) distances.data = nullptr;
+    check_status(thinbench_distances_of_labels(&view, &distances, nullptr, execution.pointer()));
+    distances.data = numbers.data();
     thinbench_pruning pruning = draw_pruning();
-    pruning.distances = distances.data();
-    pruning.distances_stride = stride;
+    pruning.distances = &distances;
     thinbench_graph* graph = nullptr;
-    check_status(thinbench_prune_labels(labels.data(), stride, labels.data(), stride, from.height,
-                                        from.width, &pruning, execution.pointer(), &graph));
-    make_parts(graph);
+    check_status(thinbench_prune_labels(&view, &view, &pruning, execution.pointer(), &graph));
+    split(graph);
     thinbench_graph_destroy(graph);
-    check_status(thinbench_fill_label_holes(labels.data(), stride, labels.data(), stride,
-                                            from.height, from.width, input_.once_in(16) ? 5 : 4,
-                                            input_.byte() - 1, execution.pointer()));
+    thinbench_hole_filling filling = THINBENCH_HOLE_FILLING_INIT;
+    filling.connectivity = input_.once_in(16) ? 5 : 4;
+    filling.max_area = input_.byte() - 1;
+    check_status(thinbench_fill_holes_of_labels(&view, &view, &filling, execution.pointer()));
   }
 
-  /// Whatever is made of a graph, or of none.
-  void make_parts(const thinbench_graph* graph) {
-    std::size_t count = 0;
-    static_cast<void>(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)));
-    const std::uint32_t edges[] = {0, input_.byte()};
+  /// A graph, or none.
+  void split(const thinbench_graph* graph) {
     const thinbench_pixel pixels[] = {{input_.byte(), input_.byte()}, {-1, 0}};
     thinbench_graph* made = nullptr;
-    check_status(thinbench_graph_subgraph(graph, edges, input_.once_in(2) ? 1 : 2, &made));
+    check_status(thinbench_split_graph(graph, pixels, input_.once_in(8) ? 2 : 1, &made));
     thinbench_graph_destroy(made);
-    check_status(thinbench_graph_split(graph, pixels, input_.once_in(8) ? 2 : 1, &made));
-    thinbench_graph_destroy(made);
-    check_status(thinbench_graph_open_cycles(graph, input_.byte() - 1.0, nullptr, &made));
-    thinbench_graph_destroy(made);
-    thinbench_graph_place place{};
-    check_status(thinbench_graph_nearest(graph, input_.byte(), 1e300, nullptr, &place));
-    std::vector<thinbench_branch> rows(count);
-    check_status(thinbench_graph_summary(graph, nullptr, rows.data()));
   }
 
   ByteSource& input_;

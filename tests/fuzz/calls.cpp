@@ -1,4 +1,4 @@
-// Sequences of calls: plans for one image and for batches that are made, used, moved and used again
+// Sequences of calls: plans for one image and for stacks that are made, used, moved and used again
 // after a rejected call; lists of images, labels, regions, edges and packed images, with rules of
 // any kind.
 // Every result is the reference's; every rejected call says why in one line and writes nothing.
@@ -14,9 +14,9 @@
 #include "localise.hpp"
 #include "support/packed_image.hpp"
 #include "support/reference_thinning.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -80,11 +80,11 @@ class Calls {
   /// Twice or more what has many states.
   void call() {
     constexpr std::array<void (Calls::*)(), 16> calls = {
-        &Calls::make_thinner,     &Calls::make_thinner, &Calls::run_thinner,
-        &Calls::run_thinner,      &Calls::run_thinner,  &Calls::move_thinner,
-        &Calls::make_batch,       &Calls::run_batch,    &Calls::run_batch,
-        &Calls::move_batch,       &Calls::thin_list,    &Calls::thin_label_image,
-        &Calls::find_all_regions, &Calls::find_edges,   &Calls::thin_packed,
+        &Calls::make_thinner,       &Calls::make_thinner,      &Calls::run_thinner,
+        &Calls::run_thinner,        &Calls::run_thinner,       &Calls::move_thinner,
+        &Calls::make_stack_thinner, &Calls::run_stack_thinner, &Calls::run_stack_thinner,
+        &Calls::move_stack_thinner, &Calls::thin_list,         &Calls::thin_label_image,
+        &Calls::find_all_regions,   &Calls::find_edges,        &Calls::thin_packed,
         &Calls::thin_once};
     (this->*input_.pick(calls))();
   }
@@ -111,9 +111,9 @@ class Calls {
   }
 
   void make_thinner() { make(thinners_); }
-  void make_batch() { make(batches_); }
+  void make_stack_thinner() { make(stack_thinners_); }
   void move_thinner() { move(thinners_); }
-  void move_batch() { move(batches_); }
+  void move_stack_thinner() { move(stack_thinners_); }
 
   /// Calls `thin(source, destination)` on a drawn image and compares.
   template <class Thin>
@@ -156,8 +156,8 @@ class Calls {
   }
 
   /// The images of a stack one below the other, which is itself an image.
-  void run_batch() {
-    auto& slot = batches_[static_cast<std::size_t>(input_.number(0, 2))];
+  void run_stack_thinner() {
+    auto& slot = stack_thinners_[static_cast<std::size_t>(input_.number(0, 2))];
     if (!slot) return;
     const Index width = slot->request.size.width;
     const Index height = slot->request.size.height;
@@ -177,8 +177,8 @@ class Calls {
           iterations, slot->request.by_reference(from, {expected.view().row(i * height), width,
                                                         height, expected.view().stride}));
     }
-    must(found == iterations, "a batch: other iterations");
-    must_be_equal(images.to(), expected.view(), "a batch");
+    must(found == iterations, "a stack: other iterations");
+    must_be_equal(images.to(), expected.view(), "a stack");
     images.must_be_intact();
   }
 
@@ -247,7 +247,7 @@ class Calls {
     reference::fill_label_holes({labels.data(), width, height}, {expected.data(), width, height},
                                 four, max_area);
     const LabelView view = {labels.data(), width, height};
-    fill_label_holes(view, view, four ? Connectivity::four : Connectivity::eight, max_area);
+    fill_holes_of_labels(view, view, {four ? Connectivity::four : Connectivity::eight, max_area});
     must(labels == expected, "filled labels differ from the reference");
   }
 
@@ -265,7 +265,7 @@ class Calls {
     must(labels == expected_labels, "labels differ");
     must(labelled.objects == expected.objects && labelled.holes == expected.holes,
          "labelled regions differ");
-    must(find_components(source.view(), execution) == expected.objects, "components differ");
+    must(find_objects(source.view(), execution) == expected.objects, "components differ");
     const Regions found = find_regions(source.view(), execution);
     must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
     must(euler_number(source.view(), Connectivity::eight, execution) ==
@@ -275,7 +275,7 @@ class Calls {
          "Euler numbers differ");
     ByteImage filled(size.width, size.height);
     reference::fill_holes(image.view(), filled.view());
-    fill_holes(source.view(), source.view(), execution);
+    fill_holes(source.view(), source.view(), {}, execution);
     must_be_equal(source.view(), filled.view(), "a filled image");
     source.must_be_intact();
   }
@@ -313,8 +313,8 @@ class Calls {
     PackedImage destination(width, height, input_.pick(orders), input_.number(0, 9), filler);
     PackedImage& to = input_.once_in(4) ? source : destination;
     const BitOrder written = to.view().order;
-    const int iterations = thin(request.rule, std::as_const(source).view(), to.view(),
-                                request.thinning, request.execution);
+    const int iterations = thinbench::thin_packed(request.rule, std::as_const(source).view(),
+                                                  to.view(), request.thinning, request.execution);
     ByteImage expected(width, height);
     must(iterations == request.by_reference(image.view(), expected.view()),
          "a packed image: other iterations");
@@ -331,7 +331,7 @@ class Calls {
 
   ByteSource& input_;
   Slots<Thinner> thinners_;
-  Slots<ThinningBatch> batches_;
+  Slots<StackThinner> stack_thinners_;
 };
 
 }  // namespace

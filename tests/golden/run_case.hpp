@@ -65,8 +65,8 @@ inline int thinned(const Case& one, const ByteImage& image, const ImageView& out
   });
   if (found == operations.end()) throw std::invalid_argument("no operation " + one.operation);
   const auto parameters = detail::thinning_parameters(found->key, {.border = border_of(one)});
-  const auto& variant = detail::choose_variant(found->name, found->variants, image.width(),
-                                               image.height(), {.threads = threads});
+  const auto& variant =
+      detail::choose_variant(found->variants, image.width(), image.height(), {.threads = threads});
   return make_state(variant, image.width(), image.height(), parameters, threads)
       ->run(image.view(), output);
 }
@@ -81,7 +81,7 @@ inline Result run_image_operation(const Case& one, const ByteImage& image, int t
   ByteImage output = unwritten(image.width(), image.height());
   if (one.operation.starts_with("fill_holes")) {
     const auto objects = one.operation.ends_with("_4") ? Connectivity::four : Connectivity::eight;
-    fill_holes(image.view(), output.view(), objects, kAnyHoleArea, {.threads = threads});
+    fill_holes(image.view(), output.view(), {objects}, {.threads = threads});
   } else {
     detect_edges(edge_operator_from_name(one.operation).value(), image.view(), output.view(), {},
                  {.threads = threads});
@@ -104,7 +104,7 @@ inline std::vector<std::int64_t> labels_found(std::string_view operation, ConstI
     numbers = lists_of(label_regions(image, view, execution));
   } else if (operation.starts_with("label_components")) {
     numbers =
-        lists_of({label_components(image, view, connectivity, LabelOrder::pixels, execution), {}});
+        lists_of({label_objects(image, view, connectivity, LabelOrder::pixels, execution), {}});
   } else {
     numbers = {label_image(image, view, connectivity, LabelOrder::pixels, execution)};
   }
@@ -117,7 +117,7 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
                                                int threads) {
   const Execution execution = {.threads = threads};
   if (operation == "holes") return lists_of(find_regions(image, execution));
-  if (operation == "components") return lists_of({find_components(image, execution), {}});
+  if (operation == "components") return lists_of({find_objects(image, execution), {}});
   if (operation == "euler_number") return {euler_number(image, Connectivity::eight, execution)};
   if (operation == "euler_number_4") return {euler_number(image, Connectivity::four, execution)};
   if (operation.starts_with("label_")) return labels_found(operation, image, execution);

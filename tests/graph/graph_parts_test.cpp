@@ -56,9 +56,9 @@ TEST(Subgraph, other_numbers_are_rejected) {
 TEST(SplitAt, makes_two_edges_of_one_that_end_in_the_pixel) {
   const std::vector<Pixel> pixels = {{2, 1}};
   const Graph split = split_graph(graph_of({"#....",  //
-                                         ".###.",  //
-                                         "....#"}),
-                               pixels);
+                                            ".###.",  //
+                                            "....#"}),
+                                  pixels);
   ASSERT_EQ(split.nodes.size(), 3U);
   EXPECT_EQ(split.nodes[2], (GraphNode{given, 2, 1}));
   EXPECT_EQ(split.node_pixels[2], (Pixel{2, 1}));
@@ -142,11 +142,11 @@ TEST(NearestPlace, needs_an_edge_and_a_finite_point) {
 
 TEST(Branches, tells_branches_by_what_they_lead_between) {
   const std::vector<Branch> rows = branches(graph_of({"###.....",  //
-                                                     "........",  //
-                                                     "..#..##.",  //
-                                                     "..#.#..#",  //
-                                                     "##...##.",  //
-                                                     "..#....."}));
+                                                      "........",  //
+                                                      "..#..##.",  //
+                                                      "..#.#..#",  //
+                                                      "##...##.",  //
+                                                      "..#....."}));
   Numbers counts(4);
   for (const Branch& row : rows) ++counts[static_cast<std::size_t>(row.type)];
   EXPECT_EQ(rows[0].type, BranchType::end_end);
@@ -162,8 +162,8 @@ TEST(Branches, tells_branches_by_what_they_lead_between) {
 
 TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {
   const std::vector<Branch> rows = branches(graph_of({"##.",  //
-                                                     "..#"}),
-                                           {.x = 3, .y = 4});
+                                                      "..#"}),
+                                            {.x = 3, .y = 4});
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_DOUBLE_EQ(rows[0].length, 3 + 5);
   EXPECT_DOUBLE_EQ(rows[0].chord, std::hypot(6, 4));

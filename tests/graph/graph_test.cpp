@@ -262,7 +262,7 @@ TEST(Prune, keeps_components_and_holes) {
     const Graph graph = prune(image.view(), result.view(), {.min_length = 1.0 + i % 7});
     ASSERT_EQ(graph, skeleton_graph(result.view()));
     ASSERT_EQ(euler_number(image.view()), euler_number(result.view()));
-    ASSERT_EQ(find_components(image.view()).size(), find_components(result.view()).size());
+    ASSERT_EQ(find_objects(image.view()).size(), find_objects(result.view()).size());
   }
 }
 

@@ -96,7 +96,7 @@ def test_rule_examples_of_the_documentation(prefix, tmp_path):
 int main(void) {
   uint8_t image[5][7] = {{0}};
   image[1][2] = 9;
-  return dilate(&image[0][0], 5, 7, 2) != THINBENCH_OK || image[3][4] != 255 || image[4][2] != 0;
+  return dilate(&image[0][0], 7, 5, 2) != THINBENCH_OK || image[3][4] != 255 || image[4][2] != 0;
 }
 """
     (tmp_path / "dilate.c").write_text(code_block("docs/library.md", "c", "dilate") + main)

@@ -110,16 +110,21 @@ def test_small_and_empty_arrays_are_accepted(shape):
     for limit in (None, 1):
         np.testing.assert_array_equal(tb_dask.thin(array, max_iterations=limit, depth=4).compute(),
                                       thinbench.thin(image, max_iterations=limit))
-    table, labels = tb_dask.regions(array, return_labels=True)
-    assert len(table["area"]) == len(thinbench.regions(image)["area"])
+    table, labels = tb_dask.label_regions(array)
+    assert len(table["area"]) == len(thinbench.find_regions(image)["area"])
     assert labels.compute().shape == shape
+
+
+def test_chunks_of_a_constant_array_repeat_one_pixel():
+    table, labels = tb_dask.label_regions(da.ones((40, 50), dtype=bool, chunks=16))
+    assert table["area"].tolist() == [2000] and (labels.compute() == 1).all()
 
 
 def test_regions_equal_those_in_memory():
     for seed in range(40):
         image, array = random_array(seed, 30)
-        expected, expected_labels = thinbench.regions(image, return_labels=True)
-        table, labels = tb_dask.regions(array, return_labels=True)
+        expected, expected_labels = thinbench.label_regions(image)
+        table, labels = tb_dask.label_regions(array)
         assert list(table) == list(expected)
         for name, column in table.items():
             np.testing.assert_array_equal(column, expected[name], err_msg=name)
@@ -141,7 +146,7 @@ ARRAY = da.ones((9, 9), dtype=bool, chunks=3)
     (lambda: tb_dask.thin(ARRAY, out="."), ValueError, "'.' exists"),
     (lambda: tb_dask.thin(ARRAY, out=np.ones((9, 9), bool)), TypeError, "ndarray"),
     (lambda: tb_dask.thin(ARRAY, out=zarr.zeros((9, 8), dtype=bool)), ValueError, r"\(9, 8\)"),
-    (lambda: tb_dask.regions(np.ones((4, 4), bool)), TypeError, "ndarray"),
+    (lambda: tb_dask.find_regions(np.ones((4, 4), bool)), TypeError, "ndarray"),
 ])
 def test_invalid_arguments_are_rejected_in_one_line(call, error, message):
     with pytest.raises(error, match=message) as caught:
@@ -196,8 +201,8 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
         result = tb_dask.thin(array, out=tmp_path / "skeleton.zarr")
         np.testing.assert_array_equal(zarr.open(tmp_path / "skeleton.zarr", "r")[:], expected)
         assert len(rounds) > 1
-        table = tb_dask.regions(result)
-        np.testing.assert_array_equal(table["area"], thinbench.regions(expected)["area"])
+        table = tb_dask.find_regions(result)
+        np.testing.assert_array_equal(table["area"], thinbench.find_regions(expected)["area"])
         run_round = dask_thinning._run_round
 
         def killed_before_the_second(*arguments):
@@ -260,16 +265,16 @@ def test_edges_equal_those_in_memory(seed, operator):
     image, _ = random_array(seed)
     grey = np.random.RandomState(seed).randint(0, 256, image.shape).astype(np.uint8)
     chunks = tuple(random_chunks(size, np.random.RandomState(seed), 40) for size in image.shape)
-    found = tb_dask.edges(da.from_array(grey, chunks=chunks), operator, 60, 100)
+    found = tb_dask.detect_edges(da.from_array(grey, chunks=chunks), operator, 60, 100)
     assert found.chunks == chunks
-    np.testing.assert_array_equal(found.compute(), thinbench.edges(grey, operator, 60, 100))
+    np.testing.assert_array_equal(found.compute(), thinbench.detect_edges(grey, operator, 60, 100))
 
 
 @pytest.mark.parametrize("seed", range(12))
 def test_fill_holes_fills_holes_up_to_the_halo(seed):
     image, array = random_array(seed)
     size = 1 + seed % 5
-    table, labels = thinbench.regions(image, return_labels=True)
+    table, labels = thinbench.label_regions(image)
     filled = image != 0
     for i in np.flatnonzero(table["is_hole"]):
         if max(table["bbox-2"][i] - table["bbox-0"][i], table["bbox-3"][i] - table["bbox-1"][i]) <= size:
@@ -283,18 +288,18 @@ def test_fill_holes_fills_holes_up_to_the_halo(seed):
 def test_distances_are_exact_up_to_the_halo(seed):
     image, array = random_array(seed)
     limit = 1 + seed % 4 / 2
-    expected = thinbench.distance(image)
+    expected = thinbench.distances(image)
     expected[expected > limit] = np.inf
-    np.testing.assert_array_equal(tb_dask.distance(array, limit).compute(), expected)
+    np.testing.assert_array_equal(tb_dask.distances(array, limit).compute(), expected)
 
 
 def test_errors_of_dask_show_the_shape():
-    for call in (tb_dask.thin, tb_dask.regions, tb_dask.edges, lambda a: tb_dask.distance(a, 3),
+    for call in (tb_dask.thin, tb_dask.find_regions, tb_dask.detect_edges, lambda a: tb_dask.distances(a, 3),
                  lambda a: tb_dask.fill_holes(a, 3)):
         with pytest.raises(ValueError, match=r"expected shape \(H, W\), got \(7, 40, 50\)"):
             call(da.zeros((7, 40, 50), dtype=np.uint8))
     for value in (0, np.nan, 1e6):
         with pytest.raises(ValueError, match="max_distance"):
-            tb_dask.distance(da.zeros((4, 4), dtype=bool), value)
+            tb_dask.distances(da.zeros((4, 4), dtype=bool), value)
     with pytest.raises(ValueError, match="max_size"):
         tb_dask.fill_holes(da.zeros((4, 4), dtype=bool), 0)

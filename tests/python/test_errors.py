@@ -15,7 +15,7 @@ GREY = np.ones((4, 4), np.uint8)
 LABELS = np.ones((4, 4), np.int32)
 PACKED = np.packbits(IMAGE, axis=-1)
 LINE = np.ones((1, 5), bool)
-GRAPH = thinbench.graph(LINE)
+GRAPH = thinbench.skeleton_graph(LINE)
 TABLE = np.zeros(512, bool)
 MAP = np.pad(np.ones((31, 91), bool), 5)
 LIFE = Rule.from_hensel("B3/S23")
@@ -64,7 +64,8 @@ WRITING = {
     "thin": (thinbench.thin, IMAGE), "thin_labels": (thinbench.thin_labels, LABELS),
     "thin_packed": (thinbench.thin_packed, np.zeros((4, 4), np.uint8), 32),
     "fill_holes": (thinbench.fill_holes, IMAGE),
-    "distance": (lambda image, out: thinbench.distance(image, out=out), IMAGE.astype(float))}
+    "distances": (lambda image, out: thinbench.distances(image, out=out), IMAGE.astype(float)),
+    "squared_distances": (lambda image, out: thinbench.squared_distances(image, out=out), IMAGE.astype(np.int32))}
 
 
 @pytest.mark.parametrize("function", WRITING)
@@ -77,17 +78,18 @@ WRITING = {
 def test_arrays_for_the_result(function, change, error, said):
     call, image, *arguments = WRITING[function]
     out = change(np.zeros_like(image))
-    assert_rejected(error, said, call, image if function != "distance" else IMAGE, *arguments, out=out)
+    assert_rejected(error, said, call, IMAGE if "distances" in function else image, *arguments, out=out)
     assert not np.any(out)
 
 
-ONE_IMAGE = [thinbench.fill_holes, thinbench.regions, thinbench.euler_number, thinbench.label,
-             thinbench.distance, thinbench.graph, thinbench.prune, thinbench.medial_axis,
+ONE_IMAGE = [thinbench.fill_holes, thinbench.find_regions, thinbench.label_regions, thinbench.find_objects,
+             thinbench.label_objects, thinbench.euler_number, thinbench.label_image, thinbench.distances,
+             thinbench.squared_distances, thinbench.skeleton_graph, thinbench.prune, thinbench.medial_axis,
              thinbench.classify_pixels]
 
 
-@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_label_holes, thinbench.label,
-                                      thinbench.regions, thinbench.euler_number])
+@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_holes_of_labels, thinbench.label_image,
+                                      thinbench.find_regions, thinbench.euler_number])
 @pytest.mark.parametrize(("threads", "error", "said"), [
     (0, ValueError, "got 0"), (2000, ValueError, "got 2000"), (1.5, TypeError, "threads: expected an integer, got 1.5"),
     (None, TypeError, "threads: expected an integer, got None")])
@@ -95,7 +97,7 @@ def test_threads(function, threads, error, said):
     assert_rejected(error, said, function, IMAGE, threads=threads)
 
 
-@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_label_holes, thinbench.label,
+@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_holes_of_labels, thinbench.label_image,
                                       thinbench.label_values, thinbench.euler_number])
 def test_connectivity_is_given_by_its_name(function):
     assert_rejected(TypeError, "positional argument", function, IMAGE, 8)
@@ -117,16 +119,16 @@ def test_stacks_where_an_image_is_needed(function):
 
 
 @pytest.mark.parametrize("samples", [3, 4])
-@pytest.mark.parametrize("function", [thinbench.thin, thinbench.distance, thinbench.fill_holes, thinbench.regions,
-                                      thinbench.graph, thinbench.label])
+@pytest.mark.parametrize("function", [thinbench.thin, thinbench.distances, thinbench.fill_holes, thinbench.find_regions,
+                                      thinbench.skeleton_graph, thinbench.label_image])
 def test_a_photograph_is_rejected_with_the_way_to_a_binary_image(function, samples):
     photo = np.zeros((40, 60, samples), np.uint8)
     said = f"shape (40, 60, {samples}), which looks like colours; `thinbench.binarise("
     assert_rejected(ValueError, said, function, photo)
 
 
-@pytest.mark.parametrize("function", [thinbench.thin, thinbench.distance, thinbench.edges, thinbench.localise,
-                                      thinbench.binarise, thinbench.thin_labels,
+@pytest.mark.parametrize("function", [thinbench.thin, thinbench.distances, thinbench.detect_edges,
+                                      thinbench.localise_objects, thinbench.binarise, thinbench.thin_labels,
                                       lambda packed: thinbench.thin_packed(packed, 40)])
 def test_masked_elements_are_rejected(function):
     image = np.ma.masked_array(np.ones((4, 5), np.uint8), mask=np.zeros((4, 5), bool))
@@ -145,13 +147,13 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule(TABLE, border=None), TypeError, "None"),
     (lambda: Rule(TABLE, max_iterations=0), ValueError, "got 0"),
     (lambda: Rule(TABLE, max_iterations=1.5), TypeError, "1.5"),
-    (lambda: Rule.two_layer_net(np.ones((9, 8))), ValueError, "(9, 8)"),
-    (lambda: Rule.two_layer_net(np.ones((9, 9)), "relu"), ValueError, "'relu'"),
-    (lambda: Rule.two_layer_net([["1"] * 9] * 9), TypeError, "dtype"),
-    (lambda: Rule.cluster([], []), ValueError, "last: expected shape (nets,) with at least one net, and"),
-    (lambda: Rule.cluster([[99], [255]], np.ones((2, 9))), ValueError, "weights of shape (nets, 9); got (2, 1)"),
-    (lambda: Rule.cluster([7.5], np.ones((1, 9))), TypeError, "7.5"),
-    (lambda: Rule.cluster([99, 255], np.ones((1, 9))), ValueError, "(2, 9)"),
+    (lambda: Rule.from_two_layer_net(np.ones((9, 8))), ValueError, "(9, 8)"),
+    (lambda: Rule.from_two_layer_net(np.ones((9, 9)), "relu"), ValueError, "'relu'"),
+    (lambda: Rule.from_two_layer_net([["1"] * 9] * 9), TypeError, "dtype"),
+    (lambda: Rule.from_cluster([], []), ValueError, "last: expected shape (nets,) with at least one net, and"),
+    (lambda: Rule.from_cluster([[99], [255]], np.ones((2, 9))), ValueError, "weights of shape (nets, 9); got (2, 1)"),
+    (lambda: Rule.from_cluster([7.5], np.ones((1, 9))), TypeError, "7.5"),
+    (lambda: Rule.from_cluster([99, 255], np.ones((1, 9))), ValueError, "(2, 9)"),
     (lambda: Rule.from_hensel("B3/S29"), ValueError, "column 6: expected"),
     (lambda: Rule.from_hensel("B3/S23\0x"), ValueError, "null character"),
     (lambda: Rule.from_hensel("B\u00e9\n"), ValueError, "column 2"),
@@ -159,8 +161,8 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule.from_patterns("4:(... .1. .0.)->0"), TypeError, "list of strings"),
     (lambda: Rule.from_patterns([3]), TypeError, "3"),
     (lambda: Rule.from_patterns(["4:(...)->1"]), ValueError, "pattern 1"),
-    (lambda: Rule.from_makelut(TABLE, "raster"), ValueError, "'raster'"),
-    (lambda: Rule.from_makelut(TABLE[:256]), ValueError, "(256,)"),
+    (lambda: Rule.from_values(TABLE, "raster"), ValueError, "'raster'"),
+    (lambda: Rule.from_values(TABLE[:256]), ValueError, "(256,)"),
     (lambda: Rule.from_removals(TABLE), ValueError, "(512,)"),
     (lambda: Rule.from_removals(TABLE[:256], "matlab"), ValueError, "'matlab'"),
     (lambda: Rule.from_removals(np.zeros((0, 256), bool)), ValueError, "got 0"),
@@ -194,31 +196,33 @@ def test_masked_elements_are_rejected(function):
     (lambda: thinbench.midpoint_scan(IMAGE, ["rows", "colums"]), ValueError, "did you mean 'columns'?"),
     (lambda: thinbench.midpoint_scan(IMAGE, border="foreground"), ValueError, "'foreground'"),
     (lambda: thinbench.midpoint_scan(IMAGE, threads=0), ValueError, "got 0"),
-    (lambda: thinbench.edges(IMAGE), TypeError, "bool"),
-    (lambda: thinbench.edges(GREY, "sobell"), ValueError, "did you mean 'sobel'?"),
-    (lambda: thinbench.edges(GREY, gradient_threshold=256), ValueError, "256"),
+    (lambda: thinbench.detect_edges(IMAGE), TypeError, "bool"),
+    (lambda: thinbench.detect_edges(GREY, "sobell"), ValueError, "did you mean 'sobel'?"),
+    (lambda: thinbench.detect_edges(GREY, gradient_threshold=256), ValueError, "256"),
     (lambda: thinbench.euler_number(IMAGE, connectivity=6), ValueError, "6"),
-    (lambda: thinbench.label(IMAGE, connectivity=6), ValueError, "6"),
+    (lambda: thinbench.label_image(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=-1), ValueError, "max_area: expected"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=1.5), TypeError, "max_area: expected"),
-    (lambda: thinbench.fill_label_holes(np.ones((2, 2), int), connectivity=6), ValueError, "6"),
-    (lambda: thinbench.fill_label_holes(np.ones((2, 2), int), max_area=-1), ValueError, "max_area: expected"),
-    (lambda: thinbench.fill_label_holes(np.ones((2, 2), int), out=np.zeros((2, 2))), ValueError, "float64"),
-    (lambda: thinbench.distance(np.ones((1, 40000), bool)), ValueError, "32767"),
-    (lambda: thinbench.distance(IMAGE, spacing=2, squared=True), ValueError, "squared: expected no spacing beside it"),
-    (lambda: thinbench.graph(LINE.astype(float)), TypeError, "skeleton: expected dtype"),
-    (lambda: thinbench.graph(LINE, np.ones((2, 5), bool)), ValueError, "image: expected the skeleton's shape"),
-    (lambda: thinbench.graph(LINE, not_thin="stop"), ValueError, "got 'stop'"),
-    (lambda: thinbench.graph(LINE, spacing=0), ValueError, "from 1e-30 to 1e30, got 0"),
-    (lambda: thinbench.graph(LINE, spacing=(1, 2, 3)), ValueError, "a number or two"),
-    (lambda: thinbench.graph(LINE, nodes=[(4, 0)]), ValueError, "nodes: expected pixels of the skeleton, got row 4"),
-    (lambda: thinbench.graph(LINE, nodes=[(-1, 0)]), ValueError, "got row -1, column 0"),
-    (lambda: thinbench.graph(~IMAGE).main_path(), ValueError, "main_path: expected a graph with nodes, got none"),
-    (lambda: GRAPH.edge_widths(0), ValueError, "edge_widths: expected a graph"),
+    (lambda: thinbench.fill_holes_of_labels(np.ones((2, 2), int), connectivity=6), ValueError, "6"),
+    (lambda: thinbench.fill_holes_of_labels(np.ones((2, 2), int), max_area=-1), ValueError, "max_area: expected"),
+    (lambda: thinbench.fill_holes_of_labels(np.ones((2, 2), int), out=np.zeros((2, 2))), ValueError, "float64"),
+    (lambda: thinbench.distances(np.ones((1, 40000), bool)), ValueError, "32767"),
+    (lambda: thinbench.skeleton_graph(LINE.astype(float)), TypeError, "skeleton: expected dtype"),
+    (lambda: thinbench.skeleton_graph(LINE, np.ones((2, 5), bool)), ValueError, "image: expected the skeleton's shape"),
+    (lambda: thinbench.skeleton_graph(LINE, not_thin="stop"), ValueError, "got 'stop'"),
+    (lambda: thinbench.skeleton_graph(LINE, spacing=0), ValueError, "from 1e-30 to 1e30, got 0"),
+    (lambda: thinbench.skeleton_graph(LINE, spacing=(1, 2, 3)), ValueError, "a number or two"),
+    (lambda: thinbench.skeleton_graph(LINE, nodes=[(4, 0)]), ValueError,
+     "nodes: expected pixels of the skeleton, got row 4"),
+    (lambda: thinbench.skeleton_graph(LINE, nodes=[(-1, 0)]), ValueError, "got row -1, column 0"),
+    (lambda: thinbench.skeleton_graph(~IMAGE).main_path(), ValueError,
+     "main_path: expected a graph with nodes, got none"),
+    (lambda: GRAPH.edge_widths(0), ValueError, "edge_widths: expected a skeleton_graph(skeleton, image)"),
     (lambda: GRAPH.subgraph(np.array([True] * 2)), ValueError, "edges: expected bools of shape (1,), got (2,)"),
     (lambda: GRAPH.shortest_path(0, 2), ValueError, "expected numbers of nodes from 0 to 1, got 2"),
-    (lambda: thinbench.graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError, "from node 0 to node 2"),
+    (lambda: thinbench.skeleton_graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError,
+     "from node 0 to node 2"),
     (lambda: GRAPH.to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0)), ValueError, "transform: expected finite"),
     (lambda: GRAPH.to_geojson(transform=(1, 0, 0, 0, 1)), ValueError, "transform: expected 6 numbers, got 5"),
     (lambda: GRAPH.open_cycles(math.nan), ValueError, "max_length: expected a number of at least 0, got nan"),
@@ -228,7 +232,8 @@ def test_masked_elements_are_rejected(function):
     (lambda: GRAPH.nearest(math.nan, 0), ValueError, "nearest: expected a finite point, got nan, 0"),
     (lambda: GRAPH.nearest(0.5, -math.inf), ValueError, "nearest: expected a finite point, got 0.5, -inf"),
     (lambda: GRAPH.nearest(None, 0), TypeError, "row: expected a number, got None"),
-    (lambda: thinbench.graph(~IMAGE).nearest(0, 0), ValueError, "nearest: expected a graph with edges, got none"),
+    (lambda: thinbench.skeleton_graph(~IMAGE).nearest(0, 0), ValueError,
+     "nearest: expected a graph with edges, got none"),
     (lambda: GRAPH.subgraph([0, 1]), ValueError, "edges: expected numbers from 0 to 0, got 1"),
     (lambda: GRAPH.subgraph([-1]), ValueError, "edges: expected numbers from 0 to 0, got -1"),
     (lambda: GRAPH.subgraph(np.array([2**63], np.uint64)), ValueError, f"got {2**63}"),
@@ -238,22 +243,22 @@ def test_masked_elements_are_rejected(function):
     *((lambda call=call, value=value: call(np.array([[value]])), ValueError,
        f"{name}: expected numbers that fit into int32, got {value}")
       for value in (-2**31 - 1, 2**31, np.uint32(2**32 - 1), np.uint64(2**63))
-      for call, name in ((thinbench.label_values, "image"), (thinbench.graph_labels, "skeletons"),
-                         (thinbench.prune_labels, "skeletons"), (thinbench.fill_label_holes, "labels"))),
+      for call, name in ((thinbench.label_values, "image"), (thinbench.graph_of_labels, "skeletons"),
+                         (thinbench.prune_labels, "skeletons"), (thinbench.fill_holes_of_labels, "labels"))),
     (lambda: thinbench.label_values(np.ones((2, 2))), TypeError, "image: expected bool or integers, got float64"),
     (lambda: thinbench.label_values(LABELS[0]), ValueError, "image: expected shape (H, W), got (4,)"),
-    (lambda: thinbench.graph_labels(LABELS[0]), ValueError, "skeletons: expected shape (H, W), got (4,)"),
+    (lambda: thinbench.graph_of_labels(LABELS[0]), ValueError, "skeletons: expected shape (H, W), got (4,)"),
     (lambda: thinbench.prune_labels(np.ones((2, 2)), 1), TypeError, "skeletons: expected bool or integers"),
-    (lambda: thinbench.graph_labels(LABELS, LABELS[1:]), ValueError, "labels: expected the skeletons' shape (4, 4)"),
+    (lambda: thinbench.graph_of_labels(LABELS, LABELS[1:]), ValueError, "labels: expected the skeletons' shape (4, 4)"),
     (lambda: thinbench.prune(LINE, 10**400), ValueError, "min_length: expected less than 2**1024 in magnitude"),
     (lambda: thinbench.prune(LINE, min_widths=1), ValueError, "min_widths: expected image=..., "),
     (lambda: thinbench.prune_labels(LABELS, min_widths=1), ValueError, "min_widths: expected labels=..., "),
     (lambda: thinbench.prune(LINE, "a"), TypeError, "min_length: expected a number, got"),
     (lambda: GRAPH.polylines([1, 2]), TypeError, "tolerance: expected a number, got"),
-    (lambda: thinbench.path(MAP, (20, 20), (20, 400)), ValueError, "goal: row 20, column 400 is outside"),
-    (lambda: thinbench.path(MAP, 5, (20, 40)), TypeError, "start: expected a row and a column, got 5"),
-    (lambda: thinbench.path(MAP, (20, 1.5), (20, 40)), TypeError, "start"),
-    (lambda: thinbench.path(np.zeros((0, 0), bool), (0, 0), (0, 0)), ValueError, "outside the map of 0 x 0"),
+    (lambda: thinbench.find_path(MAP, (20, 20), (20, 400)), ValueError, "goal: row 20, column 400 is outside"),
+    (lambda: thinbench.find_path(MAP, 5, (20, 40)), TypeError, "start: expected a row and a column, got 5"),
+    (lambda: thinbench.find_path(MAP, (20, 1.5), (20, 40)), TypeError, "start"),
+    (lambda: thinbench.find_path(np.zeros((0, 0), bool), (0, 0), (0, 0)), ValueError, "outside the map of 0 x 0"),
     (lambda: thinbench.binarise(GREY, channel="gray"), ValueError, "did you mean 'grey'?"),
     (lambda: thinbench.binarise(GREY, foreground="light"), ValueError, "'light'"),
     (lambda: thinbench.binarise(GREY, threshold=256), ValueError, "256"),

@@ -17,11 +17,11 @@ def random_tables(seed: int) -> np.ndarray:
 
 
 def random_net(seed: int) -> Rule:
-    return Rule.two_layer_net(np.random.RandomState(seed).randn(9, 9), ("sigmoid", "linear")[seed % 2])
+    return Rule.from_two_layer_net(np.random.RandomState(seed).randn(9, 9), ("sigmoid", "linear")[seed % 2])
 
 
 def random_cluster(seed: int) -> Rule:
-    return Rule.cluster([99, 200, 255], np.random.RandomState(seed).randint(-3, 4, (3, 9)))
+    return Rule.from_cluster([99, 200, 255], np.random.RandomState(seed).randint(-3, 4, (3, 9)))
 
 
 KINDS = {name: name for name in thinbench.rules()} | {
@@ -163,7 +163,7 @@ def test_labels_equal_a_loop_over_scikit_image():
 
 @pytest.mark.parametrize("dtype", [bool, "i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8"])
 def test_label_arrays_of_any_integer_type(dtype):
-    labels = thinbench.label(random_image(7))[0] % 2
+    labels = thinbench.label_image(random_image(7))[0] % 2
     expected = thinbench.thin_labels(labels)
     found = thinbench.thin_labels(labels.astype(dtype))
     assert found.dtype == dtype

@@ -158,7 +158,7 @@ def test_thin_packed_gives_what_thin_gives_or_names_the_argument(packed, width, 
 @SETTINGS
 @given(arrays())
 def test_regions_filled_holes_and_distances_are_those_of_scipy_or_the_image_is_named(image):
-    found = result_or_reason("image", thinbench.regions, image, return_labels=True)
+    found = result_or_reason("image", thinbench.label_regions, image)
     filled = result_or_reason("image", thinbench.fill_holes, image)
     number = result_or_reason("image", thinbench.euler_number, image)
     assert (found is None) == (filled is None) == (number is None)
@@ -170,7 +170,7 @@ def test_regions_filled_holes_and_distances_are_those_of_scipy_or_the_image_is_n
     np.testing.assert_array_equal(filled != 0, ndimage.binary_fill_holes(image != 0))
     assert number == count - int(table["is_hole"].sum())
     if not np.all(image):
-        np.testing.assert_array_equal(thinbench.distance(image), ndimage.distance_transform_edt(image != 0))
+        np.testing.assert_array_equal(thinbench.distances(image), ndimage.distance_transform_edt(image != 0))
 
 
 @SETTINGS
@@ -178,13 +178,13 @@ def test_regions_filled_holes_and_distances_are_those_of_scipy_or_the_image_is_n
        arguments(st.integers(0, 255), 40), arguments(st.integers(0, 255), 128))
 def test_edges_are_those_of_a_plain_copy_or_the_argument_is_named(image, operator, gradient, brightness):
     names = "image|operator|gradient_threshold|gradient threshold|brightness_threshold|brightness threshold"
-    result = result_or_reason(names, thinbench.edges, image, operator, gradient, brightness)
+    result = result_or_reason(names, thinbench.detect_edges, image, operator, gradient, brightness)
     if result is not None:
         np.testing.assert_array_equal(
-            result, thinbench.edges(np.array(image, order="C"), operator, gradient, brightness))
-    found = result_or_reason(names, thinbench.localise, image, gradient, brightness)
+            result, thinbench.detect_edges(np.array(image, order="C"), operator, gradient, brightness))
+    found = result_or_reason(names, thinbench.localise_objects, image, gradient, brightness)
     if found is not None:
-        again = thinbench.localise(np.array(image, order="C"), gradient, brightness)
+        again = thinbench.localise_objects(np.array(image, order="C"), gradient, brightness)
         for name, column in found.items():
             np.testing.assert_array_equal(column, again[name])
 

@@ -40,22 +40,22 @@ def test_distances_equal_scipys_also_with_out_and_threads(spacing):
         image = np.random.RandomState(seed).rand(40, 60) < 0.5 + seed / 41
         image[seed, 5] = False
         out = np.empty(image.shape)
-        assert thinbench.distance(image, spacing=spacing, threads=2, out=out) is out
+        assert thinbench.distances(image, spacing=spacing, threads=2, out=out) is out
         np.testing.assert_array_max_ulp(out, ndimage.distance_transform_edt(image, sampling=spacing), maxulp=1)
 
 
 def test_squared_distances_are_exact_and_those_without_background_infinite():
     image = np.random.RandomState(1).rand(150, 200) < 0.9
     out = np.empty(image.shape, np.int32)
-    assert thinbench.distance(image, threads=2, squared=True, out=out) is out
+    assert thinbench.squared_distances(image, threads=2, out=out) is out
     np.testing.assert_array_equal(out, np.rint(ndimage.distance_transform_edt(image) ** 2))
-    assert (thinbench.distance(np.ones((3, 4), bool)) == np.inf).all()
-    assert (thinbench.distance(np.ones((3, 4), bool), squared=True) == 2**31 - 1).all()
+    assert (thinbench.distances(np.ones((3, 4), bool)) == np.inf).all()
+    assert (thinbench.squared_distances(np.ones((3, 4), bool)) == 2**31 - 1).all()
     thinbench.release_memory()
 
 
 def test_shortest_paths_by_scipy_take_any_column_as_cost():
-    graph = thinbench.graph(RING_WITH_TAILS)
+    graph = thinbench.skeleton_graph(RING_WITH_TAILS)
     assert csgraph.shortest_path(graph.to_csgraph())[0, 3] == pytest.approx(4 + 1 + 2 * 2**0.5)
     graph.edges["cost"] = np.arange(4.0)  # edges without cost remain
     assert csgraph.shortest_path(graph.to_csgraph("cost"), directed=False)[0].tolist() == [0, 0, 1, 4]
@@ -63,29 +63,29 @@ def test_shortest_paths_by_scipy_take_any_column_as_cost():
 
 def test_empty_images_have_empty_graphs():
     for shape in ((0, 5), (5, 0), (3, 3)):
-        for graph in (thinbench.graph(np.zeros(shape, bool)), thinbench.graph_labels(np.zeros(shape, int))):
+        for graph in (thinbench.skeleton_graph(np.zeros(shape, bool)), thinbench.graph_of_labels(np.zeros(shape, int))):
             assert len(graph.nodes["kind"]) == len(graph.edges["from"]) == 0
 
 
 def test_widths_are_those_of_the_image_at_each_pixel_and_of_nodes_and_may_be_infinite():
     image = np.ones((5, 9), bool)
     skeleton = drawn(".........", ".........", "#########", ".........", ".........")
-    infinite = thinbench.graph(skeleton, image)
+    infinite = thinbench.skeleton_graph(skeleton, image)
     assert infinite.edges["width-max"].tolist() == [np.inf]
     geojson = infinite.to_geojson()
     assert geojson["features"][2]["properties"]["width_min"] is None
     json.dumps(geojson, allow_nan=False)
     image[1, 0] = image[0, 1:5] = False
-    uneven = thinbench.graph(skeleton, image)
+    uneven = thinbench.skeleton_graph(skeleton, image)
     found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
     assert found == [reduce(uneven.edge_widths(0)) for reduce in (np.mean, np.median, np.min, np.max)]
     assert len(set(found)) == 4
     block = drawn("##", "##", "..")  # a node is as wide as its widest pixel
-    assert thinbench.graph(block, block, not_thin="ignore").nodes["width"] == [4]
+    assert thinbench.skeleton_graph(block, block, not_thin="ignore").nodes["width"] == [4]
     image[0] = image[-1] = False
     image[1, 0] = True
     for spacing in (1, 0.5):
-        graph = thinbench.graph(skeleton, image, spacing=spacing)
+        graph = thinbench.skeleton_graph(skeleton, image, spacing=spacing)
         assert graph.edge_widths(0).tolist() == [4 * spacing] * 9
         assert all(graph.edges[f"width-{name}"] == 4 * spacing for name in ("mean", "min", "max", "median"))
         assert graph.nodes["width"].tolist() == [4 * spacing] * 2 and graph.edges["length"] == 8 * spacing
@@ -115,13 +115,13 @@ def test_classes_of_pixels_have_names_and_degrees():
 
 
 def test_polylines_keep_what_is_farther_than_the_tolerance():
-    graph = thinbench.graph(drawn("#.....#", ".#...#.", "..#.#..", "...#..."))
+    graph = thinbench.skeleton_graph(drawn("#.....#", ".#...#.", "..#.#..", "...#..."))
     assert [line.tolist() for line in graph.polylines(1)] == [[[0, 0], [3, 3], [0, 6]]]
     assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
 
 
 def test_a_ring_with_tails_has_parallel_edges():
-    graph = thinbench.graph(RING_WITH_TAILS)
+    graph = thinbench.skeleton_graph(RING_WITH_TAILS)
     assert list(graph.nodes["kind"]) == ["end", "junction", "junction", "end"]
     assert list(graph.nodes["degree"]) == [1, 3, 3, 1]
     assert sorted(zip(graph.edges["from"], graph.edges["to"], strict=True)) == [(0, 1), (1, 2), (1, 2), (2, 3)]
@@ -133,19 +133,19 @@ def test_a_ring_with_tails_has_parallel_edges():
 
 def test_networkx_graph_has_the_columns():
     pytest.importorskip("networkx")
-    graph = thinbench.graph(RING_WITH_TAILS).to_networkx()
+    graph = thinbench.skeleton_graph(RING_WITH_TAILS).to_networkx()
     assert (graph.number_of_nodes(), graph.number_of_edges()) == (4, 4)
     assert graph.nodes[1]["kind"] == "junction"
     assert len(graph[1][2]) == 2 and graph[0][1][0]["pixels"].shape == (3, 2)
 
 
 def test_geojson_has_transformed_points_and_lines():
-    found = thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(2, 0, 100, 0, -2, 50))
+    found = thinbench.skeleton_graph(RING_WITH_TAILS).to_geojson(transform=(2, 0, 100, 0, -2, 50))
     points = [f for f in found["features"] if f["geometry"]["type"] == "Point"]
     lines = [f for f in found["features"] if f["geometry"]["type"] == "LineString"]
     assert json.loads(json.dumps(found)) == found
-    spaced = thinbench.graph(RING_WITH_TAILS, spacing=(2, 10)).to_geojson()
-    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [2, 10]
+    spaced = thinbench.skeleton_graph(RING_WITH_TAILS, spacing=(2, 10)).to_geojson()
+    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [10, 2]
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
@@ -158,25 +158,25 @@ def test_blocks_of_an_image_that_is_not_thin_are_reported():
     thick[1:3, 4:7] = True
     message = "skeleton: not thin: 2 blocks of 2 x 2 pixels, the first at row 1, column 4"
     with pytest.warns(UserWarning, match=message):
-        thinbench.graph(thick)
+        thinbench.skeleton_graph(thick)
     with pytest.raises(ValueError, match=message):
-        thinbench.graph(thick, not_thin="raise")
+        thinbench.skeleton_graph(thick, not_thin="raise")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert thinbench.graph(thick, not_thin="ignore").nodes["kind"].tolist() == ["junction"]
+        assert thinbench.skeleton_graph(thick, not_thin="ignore").nodes["kind"].tolist() == ["junction"]
 
 
 def test_a_graph_says_in_a_line_what_it_is():
     cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
-    assert repr(thinbench.graph(cross)) == "Graph(5 nodes (4 end, 1 junction), 4 edges of length 5.0)"
-    assert repr(thinbench.graph(cross[1:2])) == "Graph(2 nodes (2 end), 1 edge of length 3.0)"
-    assert repr(thinbench.graph(cross[1:2, :1])) == "Graph(1 node (1 isolated), 0 edges of length 0.0)"
-    assert repr(thinbench.graph(np.zeros((2, 2), bool))) == "Graph(0 nodes, 0 edges of length 0.0)"
+    assert repr(thinbench.skeleton_graph(cross)) == "Graph(5 nodes (4 end, 1 junction), 4 edges of length 5.0)"
+    assert repr(thinbench.skeleton_graph(cross[1:2])) == "Graph(2 nodes (2 end), 1 edge of length 3.0)"
+    assert repr(thinbench.skeleton_graph(cross[1:2, :1])) == "Graph(1 node (1 isolated), 0 edges of length 0.0)"
+    assert repr(thinbench.skeleton_graph(np.zeros((2, 2), bool))) == "Graph(0 nodes, 0 edges of length 0.0)"
 
 
 def test_a_graph_is_plotted_as_lines_and_points():
     figure = pytest.importorskip("matplotlib.figure").Figure()
-    graph = thinbench.graph(thinbench.thin(random_image(6)), not_thin="ignore")
+    graph = thinbench.skeleton_graph(thinbench.thin(random_image(6)), not_thin="ignore")
     ax = figure.add_subplot()
     assert graph.plot(ax) is ax
     ends = sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "end")
@@ -190,21 +190,22 @@ def test_a_graph_is_plotted_as_lines_and_points():
 
 
 def test_the_main_path_of_a_tree_leaves_out_its_short_branch():
-    path = thinbench.graph(TREE).main_path()
+    path = thinbench.skeleton_graph(TREE).main_path()
     assert path.length == pytest.approx(6 + 4 * 2**0.5)
     assert path.pixels.tolist() == [[0, 0], [1, 1], *[[2, x] for x in range(2, 9)], [1, 9], [0, 10]]
     assert len(path.nodes) == 3 and len(path.edges) == 2
-    assert thinbench.graph(TREE, spacing=(0.5, 2)).main_path().length == pytest.approx(6 * 2 + 4 * (4 + 0.25) ** 0.5)
+    uneven = thinbench.skeleton_graph(TREE, spacing=(0.5, 2)).main_path()
+    assert uneven.length == pytest.approx(6 * 2 + 4 * (4 + 0.25) ** 0.5)
 
 
 def test_there_is_a_main_path_for_each_component_and_none_without_nodes():
-    graph = thinbench.graph(drawn("##.#", "....", "###."))
+    graph = thinbench.skeleton_graph(drawn("##.#", "....", "###."))
     assert [path.length for path in graph.main_paths()] == [1, 0, 2]
     assert graph.main_path().pixels.tolist() == [[2, 0], [2, 1], [2, 2]]
 
 
 def test_cycles_close_by_their_longest_edge_and_know_their_holes():
-    graph = thinbench.graph(EIGHT)
+    graph = thinbench.skeleton_graph(EIGHT)
     cycles = graph.cycles()
     assert len(cycles) == 2
     assert sorted(len(cycle.holes) for cycle in cycles) == [1, 1]
@@ -219,7 +220,7 @@ def test_a_cycle_encloses_holes_beside_the_pixels_of_its_nodes():
                      "..#.#.",
                      ".#.#..",
                      "..#...")
-    assert [cycle.holes.tolist() for cycle in thinbench.graph(skeleton).cycles()] == [[[2, 2]], [[1, 3]]]
+    assert [cycle.holes.tolist() for cycle in thinbench.skeleton_graph(skeleton).cycles()] == [[[2, 2]], [[1, 3]]]
 
 
 def test_a_loop_inside_a_node_encloses_its_hole():
@@ -228,7 +229,7 @@ def test_a_loop_inside_a_node_encloses_its_hole():
                      ".#.#.",
                      "#.#.#",
                      ".#..#")
-    assert [cycle.holes.tolist() for cycle in thinbench.graph(skeleton).cycles()] == [[[3, 1]], [[2, 2]]]
+    assert [cycle.holes.tolist() for cycle in thinbench.skeleton_graph(skeleton).cycles()] == [[[3, 1]], [[2, 2]]]
 
 
 def test_a_loop_inside_a_node_encloses_its_hole_beside_a_cycle_through_the_node():
@@ -240,7 +241,7 @@ def test_a_loop_inside_a_node_encloses_its_hole_beside_a_cycle_through_the_node(
                      ".##.##",
                      "...#..",
                      "..#...")
-    cycles = thinbench.graph(skeleton, not_thin="raise").cycles()
+    cycles = thinbench.skeleton_graph(skeleton, not_thin="raise").cycles()
     assert sorted(cycle.holes.tolist() for cycle in cycles) == [[[2, 2]], [[5, 3]]]
 
 
@@ -248,7 +249,7 @@ def test_a_loop_inside_a_node_encloses_its_hole_beside_a_cycle_through_the_node(
 @pytest.mark.parametrize("make", [thinbench.thin, np.array], ids=["thin", "thick"])
 def test_holes_of_cycles_tell_the_cycles_of_an_image_apart(seed, make):
     """No sum of some of them, modulo 2, is empty."""
-    graph = thinbench.graph(make(random_image(seed)), not_thin="ignore")
+    graph = thinbench.skeleton_graph(make(random_image(seed)), not_thin="ignore")
     basis: list[int] = []
     numbers: dict[tuple[int, ...], int] = {}
     for cycle in graph.cycles():
@@ -263,7 +264,7 @@ def test_cycles_of_labels_enclose_holes_of_their_label_alone():
     labels = np.zeros((7, 7), np.uint8)
     labels[[0, 6], :] = labels[:, [0, 6]] = 1
     labels[3, 1:6] = 2
-    (cycle,) = thinbench.graph_labels(labels, labels).cycles()
+    (cycle,) = thinbench.graph_of_labels(labels, labels).cycles()
     assert cycle.holes.tolist() == [[1, 1]]
 
 
@@ -273,7 +274,7 @@ def test_cycles_of_any_label_enclose_their_holes(label):
                      "..#.#...",
                      ".#.#....",
                      "..#.....") * np.int32(label)
-    cycles = thinbench.graph_labels(skeleton, skeleton).cycles()
+    cycles = thinbench.graph_of_labels(skeleton, skeleton).cycles()
     assert [cycle.holes.tolist() for cycle in cycles] == [[[2, 2]], [[1, 3]]]
 
 
@@ -281,7 +282,7 @@ def test_cycles_take_memory_by_their_pixels_and_not_by_their_place():
     image = np.zeros((4000, 4000), bool)
     image[-3:, -3:] = True
     image[-2, -2] = False
-    graph = thinbench.graph(image, not_thin="ignore")
+    graph = thinbench.skeleton_graph(image, not_thin="ignore")
     tracemalloc.start()
     cycles = graph.cycles()
     peak = tracemalloc.get_traced_memory()[1]
@@ -297,24 +298,24 @@ def test_a_cycle_round_another_encloses_both_holes():
                  "#..#..#",
                  "#.....#",
                  "#######")
-    assert sorted(len(cycle.holes) for cycle in thinbench.graph(ring, not_thin="ignore").cycles()) == [1, 2]
+    assert sorted(len(cycle.holes) for cycle in thinbench.skeleton_graph(ring, not_thin="ignore").cycles()) == [1, 2]
 
 
 def test_the_summary_is_a_copy():
-    graph = thinbench.graph(EIGHT)
+    graph = thinbench.skeleton_graph(EIGHT)
     for column in graph.summary().values():
         assert not any(np.shares_memory(column, own) for own in graph.edges.values())
 
 
 def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
-    graph = thinbench.graph(EIGHT)
+    graph = thinbench.skeleton_graph(EIGHT)
     lengths = sorted(cycle.length for cycle in graph.cycles())
     assert len(graph.open_cycles(lengths[0] - 1).edges["from"]) == len(graph.edges["from"])
     assert len(graph.open_cycles(lengths[-1]).edges["from"]) == len(graph.edges["from"]) - 2
 
 
 def test_the_summary_has_the_columns_of_skan_and_the_values_of_a_table_by_hand():
-    graph = thinbench.graph(TREE, spacing=(2, 1))
+    graph = thinbench.skeleton_graph(TREE, spacing=(2, 1))
     table = graph.summary()
     assert list(table["branch-type"]) == [1, 1, 1]
     assert list(table["skeleton-id"]) == [0, 0, 0]
@@ -326,39 +327,39 @@ def test_the_summary_has_the_columns_of_skan_and_the_values_of_a_table_by_hand()
 
 
 def test_branch_types_are_those_of_ends_junctions_and_closed_lines():
-    line = thinbench.graph(drawn("###")).summary()
-    ring = thinbench.graph(drawn(".#.", "#.#", ".#.")).summary()
-    eight = thinbench.graph(EIGHT).summary()
+    line = thinbench.skeleton_graph(drawn("###")).summary()
+    ring = thinbench.skeleton_graph(drawn(".#.", "#.#", ".#.")).summary()
+    eight = thinbench.skeleton_graph(EIGHT).summary()
     assert line["branch-type"].tolist() == [0] and ring["branch-type"].tolist() == [3]
     assert np.isnan(ring["tortuosity"]).all() and set(eight["branch-type"].tolist()) == {1, 2}
 
 
 def test_a_subgraph_has_the_edges_that_are_asked_for_and_their_nodes():
-    graph = thinbench.graph(TREE)
+    graph = thinbench.skeleton_graph(TREE)
     long = graph.subgraph(graph.edges["length"] > 4)
     assert len(long.edges["from"]) == 2 and long.nodes["kind"].tolist() == ["end", "end", "junction"]
     assert long.nodes["degree"].tolist() == [1, 1, 2]
     assert long.edge_pixels(1).tolist() == graph.edge_pixels(1).tolist()
     assert len(graph.subgraph([]).nodes["kind"]) == 0
-    assert thinbench.graph(TREE, spacing=(0.5, 2)).subgraph([0]).spacing == (0.5, 2)
+    assert thinbench.skeleton_graph(TREE, spacing=(0.5, 2)).subgraph([0]).spacing == (0.5, 2)
 
 
 def test_given_pixels_are_nodes_that_split_their_edges():
-    graph = thinbench.graph(TREE, nodes=[(2, 3), (0, 0)])
+    graph = thinbench.skeleton_graph(TREE, nodes=[(2, 3), (0, 0)])
     assert graph.nodes["kind"].tolist() == ["end", "end", "junction", "end", "given"]
     assert len(graph.edges["from"]) == 4
-    assert graph.edges["length"].sum() == pytest.approx(thinbench.graph(TREE).edges["length"].sum())
+    assert graph.edges["length"].sum() == pytest.approx(thinbench.skeleton_graph(TREE).edges["length"].sum())
     path = graph.shortest_path(4, 1)
     assert path.pixels[0].tolist() == [2, 3] and path.pixels[-1].tolist() == [0, 10]
 
 
 def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():
-    assert thinbench.graph(TREE).nearest(4, 6) == (2, 4, 5, 1.0)
-    assert thinbench.graph(TREE, spacing=(1, 3)).nearest(4, 6)[1:] == (2, 6, 2.0)
+    assert thinbench.skeleton_graph(TREE).nearest(4, 6) == (2, 4, 5, 1.0)
+    assert thinbench.skeleton_graph(TREE, spacing=(1, 3)).nearest(4, 6)[1:] == (2, 6, 2.0)
 
 
 def by_a_loop(skeletons, labels):
-    return [thinbench.graph(skeletons == label, labels == label, not_thin="ignore")
+    return [thinbench.skeleton_graph(skeletons == label, labels == label, not_thin="ignore")
             for label in np.unique(labels[labels != 0])]
 
 
@@ -367,7 +368,7 @@ def test_the_graphs_of_labels_are_those_of_a_loop(seed):
     random = np.random.RandomState(seed)
     labels = np.kron(random.randint(0, 2 + seed % 5, (12, 15)), np.ones((1 + seed % 4,) * 2, int)) * 7
     skeletons = np.where(random.rand(*labels.shape) < 0.7, labels, 0)
-    found = thinbench.graph_labels(skeletons, labels)
+    found = thinbench.graph_of_labels(skeletons, labels)
     graphs = by_a_loop(skeletons, labels)
     first = np.cumsum([0] + [len(graph.nodes["kind"]) for graph in graphs])
     for name in graphs[0].edges:
@@ -398,4 +399,4 @@ def test_the_medial_axis_is_the_skeleton_with_its_distances():
     image = random_image(5)
     skeleton, distances = thinbench.medial_axis(image, "zhang_suen", spacing=(2, 1))
     np.testing.assert_array_equal(skeleton, thinbench.thin(image, "zhang_suen"))
-    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distance(image, spacing=(2, 1)), 0))
+    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distances(image, spacing=(2, 1)), 0))

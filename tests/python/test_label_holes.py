@@ -18,7 +18,7 @@ def test_holes_are_filled_as_by_a_loop_over_scipy(connectivity, dtype):
         labels = ndimage.label(random_image(seed, 60))[0].astype(dtype) % 7
         holes = {label: ndimage.binary_fill_holes(labels == label, structure) & (labels == 0)
                  for label in range(1, 7)}
-        filled = thinbench.fill_label_holes(labels, connectivity=connectivity)
+        filled = thinbench.fill_holes_of_labels(labels, connectivity=connectivity)
         assert filled.dtype == dtype
         np.testing.assert_array_equal(filled[labels != 0], labels[labels != 0])
         background = labels == 0
@@ -31,6 +31,6 @@ def test_holes_are_filled_as_by_a_loop_over_scipy(connectivity, dtype):
 
 def test_holes_of_labels_up_to_an_area_are_filled_in_place():
     labels = np.array([[3, 3, 3, 3, 3, 3], [3, 0, 3, 0, 0, 3], [3, 3, 3, 3, 3, 3]])
-    assert thinbench.fill_label_holes(labels, max_area=1, out=labels) is labels
+    assert thinbench.fill_holes_of_labels(labels, max_area=1, out=labels) is labels
     np.testing.assert_array_equal(labels[1], [3, 3, 3, 0, 0, 3])
-    assert thinbench.fill_label_holes(labels.T[::-1], out=None).min() == 3
+    assert thinbench.fill_holes_of_labels(labels.T[::-1], out=None).min() == 3

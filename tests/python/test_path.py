@@ -36,7 +36,7 @@ def assert_is_path(found, free, start, goal, width):
     assert tuple(found[0]) == tuple(start) and tuple(found[-1]) == tuple(goal)
     assert (np.abs(np.diff(found, axis=0)).max(axis=1, initial=0) == 1).all() or len(found) == 1
     assert free[tuple(found.T)].all()
-    assert (2 * thinbench.distance(free)[tuple(found.T)] >= width).all()
+    assert (2 * thinbench.distances(free)[tuple(found.T)] >= width).all()
 
 
 def length(path):
@@ -86,18 +86,18 @@ def test_no_path_costs_less_and_there_is_one_wherever_pixels_with_room_join_star
         start, goal = map(tuple, random.permutation(places)[:2])
         cost = least_cost(room, skeleton, start, goal)
         if np.isfinite(cost):
-            found = thinbench.path(free, start, goal, width)
+            found = thinbench.find_path(free, start, goal, width)
             assert_is_path(found, free, start, goal, width)
             assert cost_of(found, skeleton) == pytest.approx(cost)
         else:
             with pytest.raises(ValueError, match="^no path from"):
-                thinbench.path(free, start, goal, width)
+                thinbench.find_path(free, start, goal, width)
 
 
 @pytest.mark.parametrize("width", [16, 32])
 def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
     path, free = plan
-    found = thinbench.path(free, planning.START, planning.GOAL, width)
+    found = thinbench.find_path(free, planning.START, planning.GOAL, width)
     assert_is_path(found, free, planning.START, planning.GOAL, width)
     overlay = tmp_path / "path.png"
     made = run_text("path", path, "--start", xy(planning.START), "--goal", xy(planning.GOAL), "--width", width, "--json",
@@ -115,9 +115,9 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
 def test_the_path_follows_the_skeleton():
     free = np.zeros((41, 101), bool)
     free[5:36, 5:96] = True
-    found = thinbench.path(free, (20, 20), (20, 80))
+    found = thinbench.find_path(free, (20, 20), (20, 80))
     assert (found[:, 0] == 20).all()
-    found = thinbench.path(free, (10, 20), (10, 80))
+    found = thinbench.find_path(free, (10, 20), (10, 80))
     assert found[30:-30, 0].min() >= 19
 
 
@@ -141,5 +141,5 @@ def test_what_cannot_be_is_one_line(plan, words, said):
 
 
 def test_a_map_without_obstacles_and_a_path_of_one_pixel():
-    assert len(thinbench.path(np.ones((9, 9), bool), (0, 0), (8, 8), 1000)) >= 9
-    assert thinbench.path(np.ones((9, 9), bool), (4, 4), (4, 4)).tolist() == [[4, 4]]
+    assert len(thinbench.find_path(np.ones((9, 9), bool), (0, 0), (8, 8), 1000)) >= 9
+    assert thinbench.find_path(np.ones((9, 9), bool), (4, 4), (4, 4)).tolist() == [[4, 4]]

@@ -70,7 +70,8 @@ def test_of_parallel_edges_a_robot_takes_the_shortest_that_is_wide_enough():
     free[20:50, 40:160] = False  # 16 rows above it, 36 below; start and goal are near the upper passage
     start, goal = (14, 14), (14, 186)
     skeleton, clearance = thinbench.thin(free), ndimage.distance_transform_edt(free)
-    edges = thinbench.graph(path_planning.with_points(skeleton, clearance, 10, [start, goal]), not_thin="ignore").edges
+    joined = path_planning.with_points(skeleton, clearance, 10, [start, goal])
+    edges = thinbench.skeleton_graph(joined, not_thin="ignore").edges
     ends = np.sort([edges["from"], edges["to"]], axis=0)
     assert len(np.unique(ends, axis=1).T) < len(ends.T)
     paths = {width: path_planning.plan_path(free, skeleton, width, start, goal) for width in (10, 18)}

@@ -47,14 +47,14 @@ def test_commands_equal_the_functions_of_python(picture, tmp_path):
             made("labels", path, tmp_path / name, "--connectivity", connectivity)
             found = cv2.imread(str(tmp_path / name), -1)
             assert found.dtype == np.uint16
-            np.testing.assert_array_equal(found, thinbench.label(image, connectivity=connectivity)[0])
+            np.testing.assert_array_equal(found, thinbench.label_image(image, connectivity=connectivity)[0])
         made("distance", path, tmp_path / name)
-        np.testing.assert_array_equal(cv2.imread(str(tmp_path / name), -1), np.rint(thinbench.distance(image)))
+        np.testing.assert_array_equal(cv2.imread(str(tmp_path / name), -1), np.rint(thinbench.distances(image)))
     for connectivity in (4, 8):
         number = thinbench.euler_number(image, connectivity=connectivity)
         assert int(made("euler", path, "--connectivity", connectivity).stdout) == number
     listed = json.loads(made("localise", path, "--json", "--brightness-threshold", 128).stdout)
-    table = thinbench.localise(255 - image * np.uint8(255))
+    table = thinbench.localise_objects(255 - image * np.uint8(255))
     assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])
 
 
@@ -97,7 +97,7 @@ def test_the_table_of_a_graph_has_the_file_and_the_size(picture, tmp_path):
 def test_the_graph_equals_that_of_python(picture):
     path, image = picture
     found = json.loads(made("graph", path, "--json", "--prune", 4).stdout)
-    graph = thinbench.graph(thinbench.prune(thinbench.thin(image), 4), image, not_thin="ignore")
+    graph = thinbench.skeleton_graph(thinbench.prune(thinbench.thin(image), 4), image, not_thin="ignore")
     assert [node["kind"] for node in found["nodes"]] == list(graph.nodes["kind"])
     for name, key in (("length", "length"), ("width_min", "width-min"), ("width_mean", "width-mean")):
         assert [edge[name] for edge in found["edges"]] == pytest.approx(list(graph.edges[key]))
@@ -111,7 +111,7 @@ def test_geojson_is_what_the_program_writes(tmp_path):
     labels = np.pad(np.repeat([[3, 0, 200, 200]], 9, axis=0).repeat(5, axis=1), 2).astype(np.uint8)
     cv2.imwrite(str(tmp_path / "a.png"), labels)
     assert run("graph", tmp_path / "a.png", "--labels", "--spacing", "3,2", "--geojson", tmp_path / "a.json").returncode == 0
-    graph = thinbench.graph_labels(thinbench.thin_labels(labels), labels, spacing=(2, 3))
+    graph = thinbench.graph_of_labels(thinbench.thin_labels(labels), labels, spacing=(2, 3))
     assert graph.to_geojson() == json.loads((tmp_path / "a.json").read_text())
 
 

@@ -75,9 +75,9 @@ def test_makelut_and_function_agree():
         return [heavy(np.reshape(window, (3, 3), order="F")) for window in bits]
 
     expected = Rule.from_function(heavy, max_iterations=1)
-    assert Rule.from_makelut(by_columns(1), max_iterations=1) == expected
-    assert Rule.from_makelut(by_columns(-1), "octave", max_iterations=1) == expected
-    both = Rule.from_makelut([by_columns(1)] * 2, max_iterations=1)
+    assert Rule.from_values(by_columns(1), max_iterations=1) == expected
+    assert Rule.from_values(by_columns(-1), "octave", max_iterations=1) == expected
+    both = Rule.from_values([by_columns(1)] * 2, max_iterations=1)
     np.testing.assert_array_equal(both.tables, np.repeat(expected.tables, 2, axis=0))
 
 
@@ -148,7 +148,7 @@ def test_every_kind_of_table_loads(tmp_path):
         ({"raster": "".join(map(str, values))}, Rule(values, max_iterations=7)),
         ({"raster": "8" + 127 * "0"}, Rule(np.arange(512) == 0, max_iterations=7)),
         ({"makelut": values, "order": "octave"},
-         Rule.from_makelut(values, "octave", max_iterations=7)),
+         Rule.from_values(values, "octave", max_iterations=7)),
         ({"remove": [value == 1 for value in values[:256]], "order": "raster"},
          Rule.from_removals(values[:256], "raster", max_iterations=7)),
         ({"patterns": patterns}, Rule.from_patterns(patterns, max_iterations=7)),

@@ -62,7 +62,7 @@ def test_partial_overlap_is_rejected():
 
 def test_columns_of_regions_are_those_of_their_labels():
     for seed in range(40):
-        table, labels = thinbench.regions(random_image(seed), return_labels=True)
+        table, labels = thinbench.label_regions(random_image(seed))
         for index, label in enumerate(table["label"]):
             ys, xs = np.nonzero(labels == label)
             row = [table[name][index] for name in (
@@ -71,10 +71,21 @@ def test_columns_of_regions_are_those_of_their_labels():
                                              ys.max() + 1, xs.max() + 1])
 
 
+def test_objects_are_the_regions_that_are_no_holes():
+    for seed in range(20):
+        image = random_image(seed)
+        regions = thinbench.find_regions(image)
+        labelled, labels = thinbench.label_objects(image)
+        np.testing.assert_array_equal(labels, thinbench.label_image(image)[0])
+        for objects in (thinbench.find_objects(image), labelled):
+            np.testing.assert_equal(objects, {name: column[~regions["is_hole"]] for name, column in regions.items()})
+
+
 @pytest.mark.parametrize(("function", "options"), [
     (thinbench.fill_holes, {}), (thinbench.fill_holes, {"connectivity": 4, "max_area": 3}),
-    (thinbench.fill_label_holes, {}), (thinbench.label, {}), (thinbench.label, {"connectivity": 4}),
-    (thinbench.regions, {"return_labels": True}), (thinbench.euler_number, {}),
+    (thinbench.fill_holes_of_labels, {}), (thinbench.label_image, {}), (thinbench.label_image, {"connectivity": 4}),
+    (thinbench.find_regions, {}), (thinbench.label_regions, {}),
+    (thinbench.find_objects, {}), (thinbench.label_objects, {"connectivity": 4}), (thinbench.euler_number, {}),
     (thinbench.euler_number, {"connectivity": 4})])
 def test_two_threads_find_what_one_finds(function, options):
     image = np.random.RandomState(1).rand(1024, 1100) < 0.55  # 2**20 pixels, as smaller ones use one thread
@@ -85,7 +96,7 @@ def test_localise_finds_an_object_and_its_hole():
     picture = np.full((60, 60), 255, np.uint8)
     picture[10:50, 10:50] = 0
     picture[25:35, 25:35] = 255
-    found = thinbench.localise(picture)
+    found = thinbench.localise_objects(picture)
     np.testing.assert_array_equal(found["is_hole"], [False, True])
     np.testing.assert_array_equal(found["enclosing_object"], [0, 1])
     np.testing.assert_allclose(found["centroid-0"], 29.5)
@@ -134,7 +145,7 @@ def test_calls_leak_no_memory():
     def work(calls: int) -> None:
         for _ in range(calls):
             thinbench.thin(image)
-            thinbench.regions(image, return_labels=True)
+            thinbench.label_regions(image)
             with pytest.raises(ValueError):
                 thinbench.thin(image, "none")
 

@@ -21,8 +21,8 @@ skeleton = thinbench.thin(image)
 pair: tuple[npt.NDArray[np.uint8], int] = thinbench.thin(image, return_iterations=True)
 flag: bool = len(image) > 3
 either = thinbench.thin(image, return_iterations=flag)
-table_or_both = thinbench.regions(image, flag)
-columns, labels = thinbench.regions(image, return_labels=True)
+table = thinbench.find_regions(image)
+columns, labels = thinbench.label_regions(image)
 rule = thinbench.Rule.from_hensel("B3/S23", max_iterations=1)
 cells: tuple[npt.NDArray[np.uint8], int] = thinbench.apply(image, rule, return_iterations=True)
 thinbench.thin(image, threads="2")  # expected error

@@ -79,6 +79,8 @@ TEST(LabelValues, rejects_other_connectivities_and_images_that_share_bytes) {
   EXPECT_THROW(label_values(view, {labels.data(), 2, 2}, Connectivity::eight),
                std::invalid_argument);
   EXPECT_THROW(label_values(view, {labels.data(), 3, 2}, Connectivity{6}), std::invalid_argument);
+  EXPECT_THROW(label_values(view, {labels.data(), 3, 2}, Connectivity::four, 0, {.threads = 0}),
+               std::invalid_argument);
 }
 
 }  // namespace

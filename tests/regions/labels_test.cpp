@@ -38,9 +38,9 @@ std::vector<std::int32_t> numbers_by_blocks(const ConstLabelView& labels, std::s
 
 bool opencv_order_is_that_of_blocks(const ConstImageView& image, const Execution& execution) {
   LabelImage raster = unwritten(image), blocks = unwritten(image);
-  const auto objects = label_components(image, raster.view(), Connectivity::eight);
+  const auto objects = label_objects(image, raster.view(), Connectivity::eight);
   const auto found =
-      label_components(image, blocks.view(), Connectivity::eight, LabelOrder::opencv, execution);
+      label_objects(image, blocks.view(), Connectivity::eight, LabelOrder::opencv, execution);
   const auto numbers = numbers_by_blocks(raster.view(), objects.size());
   for (std::size_t i = 0; i < blocks.labels.size(); ++i) {
     if (blocks.labels[i] != numbers[static_cast<std::size_t>(raster.labels[i])]) return false;
@@ -71,7 +71,7 @@ TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
 
 TEST(Labels, of_images_without_pixels_are_empty) {
   EXPECT_TRUE(label_regions({nullptr, 0, 5}, {nullptr, 0, 5}).objects.empty());
-  EXPECT_TRUE(label_components({nullptr, 5, 0}, {nullptr, 5, 0}, Connectivity::four).empty());
+  EXPECT_TRUE(label_objects({nullptr, 5, 0}, {nullptr, 5, 0}, Connectivity::four).empty());
 }
 
 TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
@@ -83,9 +83,8 @@ TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
   EXPECT_THROW(label_regions(image.view(), {nullptr, 8, 8}), std::invalid_argument);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(view.data);
   EXPECT_THROW(label_regions({bytes, 8, 8}, view), std::invalid_argument);
-  EXPECT_THROW(
-      static_cast<void>(label_components(image.view(), view, static_cast<Connectivity>(6))),
-      std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(label_objects(image.view(), view, static_cast<Connectivity>(6))),
+               std::invalid_argument);
   EXPECT_THROW(static_cast<void>(label_image(image.view(), view, static_cast<Connectivity>(6))),
                std::invalid_argument);
   EXPECT_EQ(labels.labels, unwritten(image.view()).labels);

@@ -48,7 +48,7 @@ TEST(FillState, fills_holes_up_to_an_area) {
       for (const std::int64_t max_area : {0, 4, 20, 4000}) {
         reference::fill_small_holes(image.view(), expected.view(), objects == Connectivity::four,
                                     max_area);
-        const FillParameters parameters = {objects, max_area};
+        const HoleFilling parameters = {objects, max_area};
         for (const auto& variant : operation_of(parameters).variants) {
           if (!unavailable_reason(variant, 190).empty()) continue;
           make_state(variant, 190, 90, parameters, 1)->run(image.view(), found.view());

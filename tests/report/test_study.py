@@ -62,7 +62,7 @@ def test_what_cannot_be_counted_is_no_failure(study, tmp_path):
 
 @pytest.mark.parametrize("words, why", [
     (("--filter", "nothing"), "no row matches the filter 'nothing'"),
-    (("--filter", "^thin_guo_hall/simd_bytes/baseline/"), "no usual row matches the filter"),
+    (("--filter", "^edges_sobel/autovec/baseline/"), "no usual row matches the filter"),
     (("--filter", "/avx2/"), "is skipped: ")])
 def test_where_nothing_can_be_measured_the_reason_is_given(study, monkeypatch, words, why):
     monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")

@@ -46,7 +46,7 @@ TEST(NamedRules, are_sorted_complete_and_found_by_name) {
     EXPECT_EQ(Rule::named(rule.name).border(), rule.border);
     EXPECT_EQ(Rule::named(rule.name).max_iterations(), rule.max_iterations);
   }
-  EXPECT_EQ(named_rules().size(), 16U);
+  EXPECT_EQ(named_rules().size(), 19U);
   EXPECT_EQ(find_named_rule("Life"), nullptr);
 }
 

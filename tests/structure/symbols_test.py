@@ -35,7 +35,7 @@ def objects(isa: str) -> list[Path]:
 @pytest.mark.parametrize("isa", ISAS)
 def test_object_files_of_an_isa_define_no_symbol_that_could_leak(isa: str) -> None:
     files = objects(isa)
-    assert len(files) >= 15 and len(files) == len(objects(ISAS[0]))
+    assert len(files) >= 5 and {path.name for path in files} <= {path.name for path in objects(ISAS[0])}
     own = re.compile(rf"IsaE{ISAS.index(isa)}E|6detail{len(isa)}{isa}[0-9]|^DW\.ref\.")
     assert [name for _, name in symbols(files, "--extern-only") if not own.search(name)] == []
 

@@ -4,6 +4,7 @@
 #include "program_run.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -49,9 +50,9 @@ TEST_F(StudyRun, computes_the_pixels_of_the_library_by_the_requested_variant) {
 }
 
 TEST_F(StudyRun, takes_what_the_library_takes_by_default) {
-  const Thinner thinner(Rule::guo_hall, 90, 40);
-  const std::string name = "thin_guo_hall/" + std::string(thinner.technique()) + "/" +
-                           std::string(isa_name(thinner.isa())) + "/1: ";
+  const auto& chosen = chosen_variant(Rule::guo_hall, 90, 40);
+  const std::string name = "thin_guo_hall/" + std::string(chosen.technique) + "/" +
+                           std::string(isa_name(chosen.isa)) + "/1: ";
   const ProgramRun ran = run("thin_guo_hall", {});
   EXPECT_EQ(ran.out.find(name), 0U) << ran.out << ran.err;
 }

@@ -36,6 +36,13 @@ template <class Variant>
   return detail::study::all_variants(*parameters.rule);
 }
 
+/// The variant that thin() takes.
+[[nodiscard]] inline const detail::ThinningVariant& chosen_variant(
+    const Rule& rule, Index width, Index height, const Execution& execution = {}) {
+  return detail::choose_variant(detail::thinning_variants(*detail::body_of(rule)), width, height,
+                                execution);
+}
+
 /// Thins by one technique.
 inline int thin_by(std::string_view technique, const Rule& rule, const ConstImageView& source,
                    const ImageView& destination, const Thinning& thinning = {},

@@ -1,4 +1,4 @@
-// Compiled once for every ISA.
+// Compiled per ISA.
 #include "techniques/neuron_values.hpp"
 
 #include "core/exported.hpp"

@@ -9,6 +9,7 @@
 
 #include "localise/state.hpp"
 #include "regions/state.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -110,8 +111,7 @@ TEST(Catalogue, rejects_techniques_without_a_description) {
 
 TEST(ChooseThinning, takes_the_highest_priority_which_is_the_latest_isa) {
   for (const ThinningOperation& operation : study::thinning_operations().first(kRules.size())) {
-    const ThinningParameters parameters = thinning_parameters(operation.key, {});
-    const ThinningVariant& chosen = choose_thinning(parameters, 2000, 500, {});
+    const ThinningVariant& chosen = chosen_variant(operation.key, 2000, 500);
     for (const ThinningVariant& other : operation.variants) {
       if (other.threaded || !unavailable_reason(other, 2000).empty()) continue;
       EXPECT_LE(other.priority, chosen.priority) << operation.name;
@@ -120,9 +120,9 @@ TEST(ChooseThinning, takes_the_highest_priority_which_is_the_latest_isa) {
 }
 
 TEST(ChooseThinning, takes_the_requested_isa) {
-  const ThinningParameters parameters = thinning_parameters(Rule::naccache_shinghal, {});
-  EXPECT_EQ(choose_thinning(parameters, 100, 10, {.isa = Isa::baseline}).isa, Isa::baseline);
-  const ThinningVariant& any = choose_thinning(parameters, 2000, 500, {});
+  const Execution baseline = {.isa = Isa::baseline};
+  EXPECT_EQ(chosen_variant(Rule::naccache_shinghal, 100, 10, baseline).isa, Isa::baseline);
+  const ThinningVariant& any = chosen_variant(Rule::naccache_shinghal, 2000, 500);
   EXPECT_EQ(any.isa, best_isa());
   EXPECT_EQ(any.technique, "simd_bitpacked_tiles");
 }

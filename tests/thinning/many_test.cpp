@@ -1,4 +1,6 @@
 // thin_many(): equal to the reference on each image; aliasing, strides, rejected arguments.
+#include "thinbench/many.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <deque>
@@ -11,7 +13,6 @@
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/untouched.hpp"
-#include "thinbench/batch.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {

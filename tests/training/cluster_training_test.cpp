@@ -38,7 +38,7 @@ TEST(ClusterTraining, every_run_is_learned_and_one_more_descriptor_is_impossible
 
 TEST(ClusterTraining, weights_decide_as_the_rule) {
   for (const bool small_integers : {false, true}) {
-    const Rule net(cluster_weights(trained(small_integers)));
+    const Rule net = Rule::from_net(cluster_weights(trained(small_integers)));
     const Rule rule = Rule::naccache_shinghal;
     EXPECT_EQ(net.sub_iterations().front(), rule.sub_iterations().front());
   }

@@ -169,7 +169,7 @@ void check_replaced(const FileBytes& in, const std::string& out) {
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
   app.add_option_function<std::string>(
          "--isa", [&isa](const std::string& name) { isa = isa_named(name); },
-         "Instruction set (default: the highest)")
+         "Highest instruction set to use (default: all)")
       ->check(not_empty())
       ->type_name("NAME");
 }

@@ -77,7 +77,7 @@ class ThinningCompute {
 
 BatchOperation thinning_operation(const BatchOperationRequest& request) {
   ThinningRequest words = request.thinning;
-  words.other_operations = {kScanOperation, kHoles, kEdges, kLocalise, kGraph};
+  words.other_operations = {kHoles, kEdges, kLocalise, kGraph, kScanOperation};
   for (const EdgeOperatorInfo& info : kEdgeOperators)
     words.other_operations.push_back(info.operation);
   const RequestedThinning thinning = requested_thinning(words);

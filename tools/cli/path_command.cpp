@@ -57,9 +57,9 @@ Overlay path_overlay(const std::vector<Pixel>& pixels, double width) {
 
 FoundPath path_through(const BinaryImage& map, const PathRequest& request,
                        const PathOptions& options) {
-  std::string reason = fmt::format("no path from {},{} to {},{} is {} wide", request.start.x,
-                                   request.start.y, request.goal.x, request.goal.y,
-                                   options.width == 1 ? "1 pixel" : fmt::format("{:g} pixels", options.width));
+  std::string reason = fmt::format(
+      "no path from {},{} to {},{} is {} wide", request.start.x, request.start.y, request.goal.x,
+      request.goal.y, options.width == 1 ? "1 pixel" : fmt::format("{:g} pixels", options.width));
   try {
     if (auto path = find_path(map.image.view(), request, options.execution)) return *path;
   } catch (const std::invalid_argument& error) {

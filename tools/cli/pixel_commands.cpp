@@ -54,7 +54,7 @@ Connectivity connectivity_of(const PixelOptions& options) {
 std::string filled(ByteImage image, const PixelOptions& options) {
   check_extension(options.out);
   const Index before = foreground_pixels(image.view());
-  fill_holes(image.view(), image.view(), connectivity_of(options), options.max_area,
+  fill_holes(image.view(), image.view(), {connectivity_of(options), options.max_area},
              options.execution);
   write_grey(options.out, image.view());
   return fmt::format("fill-holes: {} x {}, {} before, {} after", image.width(), image.height(),

@@ -23,7 +23,7 @@ AllRegions by_edges(ByteImage grey, BinaryImage binary, const RegionRequest& req
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
   binary.image = {};  // its memory is for the edges
   if (!request.draws) return {localise_objects(grey.view(), thresholds, request.execution), {}};
-  Regions regions = localise_objects(grey.view(), grey.view(), thresholds, request.execution);
+  Regions regions = localise_objects(grey.view(), thresholds, request.execution, grey.view());
   return {std::move(regions), std::move(grey)};
 }
 

@@ -42,10 +42,16 @@ std::string summary_of(std::string_view name, const View& image, const Apply& ap
   return fmt::format("{}: {}", name, text_of(summary));
 }
 
+int thin_in_place(const RequestedThinning& thinning, const ImageView& image) {
+  return thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
+}
+
+int thin_in_place(const RequestedThinning& thinning, const PackedView& image) {
+  return thin_packed(thinning.rule, image, image, thinning.thinning, thinning.execution);
+}
+
 auto thinner_of(const RequestedThinning& thinning) {
-  return [&](const auto& image) {
-    return thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
-  };
+  return [&](const auto& image) { return thin_in_place(thinning, image); };
 }
 
 template <class Apply>

@@ -68,8 +68,7 @@ struct Binarised {
 /// Sources: N. Otsu 1979, "A threshold selection method from gray-level histograms"; D. Bradley and
 /// G. Roth 2007, "Adaptive thresholding using the integral image", for the local mean.
 THINBENCH_API Binarised binarise(ConstImageView grey, ImageView destination,
-                                 const Binarisation& request = {},
-                                 const Execution& execution = {});
+                                 const Binarisation& request = {}, const Execution& execution = {});
 
 /// The same for grey levels of 16 bits. Views share no byte.
 THINBENCH_API Binarised binarise16(View<const std::uint16_t> grey, ImageView destination,

@@ -36,11 +36,12 @@ struct LabelGraph {
 /// different destinations. Throws as distances() does; then nothing is written, except if memory
 /// runs out.
 THINBENCH_API void distances_of_labels(ConstLabelView labels, View<double> distances,
-                                   const Spacing& spacing = {}, const Execution& execution = {});
+                                       const Spacing& spacing = {},
+                                       const Execution& execution = {});
 
 /// prune() for the skeleton of each label as if it were alone in the image: pixels that are removed
-/// become 0. `pruning.distances` are distances_of_labels() of what was thinned. Returns the graphs of
-/// the result.
+/// become 0. `pruning.distances` are distances_of_labels() of what was thinned. Returns the graphs
+/// of the result.
 ///
 /// Views must have the same size and be the same image or share no pixel. Memory as
 /// graph_of_labels. Throws as prune() does; then nothing is written, except if memory runs out.

@@ -63,6 +63,6 @@ struct Branch {
 
 /// A row for each edge, in the order of the edges.
 [[nodiscard]] THINBENCH_API std::vector<Branch> branches(const Graph& graph,
-                                                        const Spacing& spacing = {});
+                                                         const Spacing& spacing = {});
 
 }  // namespace thinbench

@@ -23,8 +23,8 @@ enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl, neon_s
 [[nodiscard]] THINBENCH_API std::span<const Isa> all_isas();
 
 /// The environment variable that caps the available ISAs: with `THINBENCH_MAX_ISA=avx2` only avx2
-/// and the ISAs it contains are available. Read once, on first use; an unknown name is then reported
-/// in one line on standard error, and there is no cap.
+/// and the ISAs it contains are available. Read once, on first use; an unknown name is then
+/// reported in one line on standard error, and there is no cap.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
 /// "baseline", "sse4.2", "avx2", "avx512", "avx512icl", "neon-sha3". All functions that take an Isa

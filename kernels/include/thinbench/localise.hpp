@@ -19,17 +19,15 @@ namespace thinbench {
 /// noise counts as an object or a hole. Objects must be dark on a bright background; see
 /// detect_edges, also for the border.
 ///
-/// Thread-safety and errors as in find_regions; also throws std::invalid_argument for a
-/// threshold outside [0, 255].
+/// If `objects` is not 0 x 0, their image is written to it, too: 255 on objects and 0 elsewhere. It
+/// must have the size of `grey` and be the same image or share no pixel.
+///
+/// Thread-safety and errors as in find_regions; also throws std::invalid_argument for a threshold
+/// outside [0, 255] and for an image of objects of another size or that overlaps. Nothing is
+/// written if it throws.
 [[nodiscard]] THINBENCH_API Regions localise_objects(ConstImageView grey,
                                                      const EdgeThresholds& thresholds = {},
-                                                     const Execution& execution = {});
-
-/// The same, and writes the image of these objects, 255 on objects and 0 elsewhere. Both views must
-/// have the same size and be the same image or share no pixel; throws std::invalid_argument
-/// otherwise. Nothing is written if it throws.
-[[nodiscard]] THINBENCH_API Regions localise_objects(ConstImageView grey, ImageView objects,
-                                                     const EdgeThresholds& thresholds,
-                                                     const Execution& execution);
+                                                     const Execution& execution = {},
+                                                     ImageView objects = {});
 
 }  // namespace thinbench

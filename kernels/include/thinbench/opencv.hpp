@@ -136,8 +136,8 @@ inline int connectedComponentsWithStats(cv::InputArray source, cv::OutputArray l
   const std::vector<Region> objects = opencv_detail::with_opencv_errors([&] {
     const LabelView view(painted.ptr<std::int32_t>(), painted.cols, painted.rows,
                          static_cast<Index>(painted.step1()));
-    return label_components(opencv_detail::view_of(image), view,
-                            static_cast<Connectivity>(connectivity), LabelOrder::opencv);
+    return label_objects(opencv_detail::view_of(image), view,
+                         static_cast<Connectivity>(connectivity), LabelOrder::opencv);
   });
   std::vector<Region> regions = {opencv_detail::background_of(painted)};
   regions.insert(regions.end(), objects.begin(), objects.end());

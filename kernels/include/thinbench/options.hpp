@@ -48,8 +48,9 @@ struct Execution {
   /// The maximum number of threads, from 1 to kMaxThreads. Images below 2^20 pixels use one thread,
   /// which is faster.
   int threads = 1;
-  /// Default: the fastest that this machine supports. Operations have variants of some instruction
-  /// sets only, and some are limited in width; any other is rejected as unavailable.
+  /// The highest instruction set to use; an operation without code for exactly this one uses its
+  /// next lower one. One that is not available on this machine is rejected. Default: the highest
+  /// that is.
   std::optional<Isa> isa = std::nullopt;
 };
 

@@ -57,7 +57,7 @@ using PackedView = Packed<std::uint8_t>;
 /// Both views must have the same size and be the same image or share no byte; their bit orders may
 /// differ. Border, options, thread safety and errors as thin(); a stride below the bytes of a row
 /// and an order outside the enumeration are rejected, too. Nothing is written if it throws.
-THINBENCH_API int thin(const Rule& rule, ConstPackedView source, PackedView destination,
-                       const Thinning& thinning = {}, const Execution& execution = {});
+THINBENCH_API int thin_packed(const Rule& rule, ConstPackedView source, PackedView destination,
+                              const Thinning& thinning = {}, const Execution& execution = {});
 
 }  // namespace thinbench

@@ -32,8 +32,8 @@ struct Regions {
                                                  const Execution& execution = {});
 
 /// All objects. Faster than find_regions, as it skips holes.
-[[nodiscard]] THINBENCH_API std::vector<Region> find_components(ConstImageView source,
-                                                                const Execution& execution = {});
+[[nodiscard]] THINBENCH_API std::vector<Region> find_objects(ConstImageView source,
+                                                             const Execution& execution = {});
 
 /// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
 /// the number of objects plus the id of its hole, or 0 outside. Takes 12 bytes of memory per run of
@@ -51,10 +51,10 @@ enum class Connectivity : std::uint8_t { four = 4, eight = 8 };
 enum class LabelOrder : std::uint8_t { pixels, opencv };
 
 /// The same for objects alone, which may be 4-connected; holes get label 0.
-THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                                   Connectivity connectivity = Connectivity::eight,
-                                                   LabelOrder order = LabelOrder::pixels,
-                                                   const Execution& execution = {});
+THINBENCH_API std::vector<Region> label_objects(ConstImageView source, LabelView labels,
+                                                Connectivity connectivity = Connectivity::eight,
+                                                LabelOrder order = LabelOrder::pixels,
+                                                const Execution& execution = {});
 
 /// The same labels without the list, in less time. Returns the number of objects.
 THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
@@ -65,10 +65,12 @@ THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
 /// Labels components of equal values, in an image of any 32-bit values: 4- or 8-connected sets of
 /// pixels with one value, such as the parts of each label. Labels count in raster order of first
 /// pixels; pixels of the value `background` get 0. Returns the number of components. Both views
-/// must have the same size, at most 2^31 pixels, and share no byte. One thread.
+/// must have the same size, at most 2^31 pixels, and share no byte. Uses one thread and the
+/// baseline's instructions.
 THINBENCH_API std::uint32_t label_values(ConstLabelView values, LabelView labels,
                                          Connectivity connectivity = Connectivity::eight,
-                                         std::int32_t background = 0);
+                                         std::int32_t background = 0,
+                                         const Execution& execution = {});
 
 /// Number of objects minus number of holes. Objects are 8- or 4-connected, holes the other way
 /// round.
@@ -76,37 +78,37 @@ THINBENCH_API std::uint32_t label_values(ConstLabelView values, LabelView labels
                                                       Connectivity objects = Connectivity::eight,
                                                       const Execution& execution = {});
 
-/// Fills holes, however large: see fill_holes.
+/// Holes of any area, see HoleFilling.
 inline constexpr std::int64_t kAnyHoleArea = INT64_MAX;
 
-/// Fills holes: writes 255 for objects and everything they enclose, else 0. Thread-safe for
-/// different destinations. Both views must have the same size and be the same image or share no
-/// pixel; throws std::invalid_argument otherwise. Nothing is written if it throws.
-THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
-                              const Execution& execution = {});
+/// Which holes are filled: those of 8- or 4-connected objects (or labels), which are connected the
+/// other way round, with at most `max_area` pixels, not counting objects inside them.
+struct HoleFilling {
+  Connectivity objects = Connectivity::eight;
+  std::int64_t max_area = kAnyHoleArea;
+};
 
-/// The same for objects that are 8- or 4-connected (holes are 4- or 8-connected, the other way
-/// round), and only for holes of at most `max_area` pixels, not counting objects inside them; these
-/// stay as they are. Throws std::invalid_argument for a negative area.
-THINBENCH_API void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
-                              std::int64_t max_area, const Execution& execution = {});
+/// Fills holes: writes 255 for objects and the holes to be filled, else 0. Filling holes of any
+/// area fills everything that objects enclose. Thread-safe for different destinations. Both views
+/// must have the same size and be the same image or share no pixel; throws std::invalid_argument
+/// otherwise, and for a negative area. Nothing is written if it throws.
+THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
+                              const HoleFilling& filling = {}, const Execution& execution = {});
 
 /// Fills the holes of labels: a pixel of the background gets the label of the innermost hole around
 /// it, all others keep theirs. The holes of a label are those of an image of this label alone. Of
-/// several around a pixel, the innermost is the one whose first pixel is last in raster order. Only
-/// holes of which at most `max_area` pixels would change are filled.
+/// several around a pixel, the innermost is the one whose first pixel is last in raster order. The
+/// area of a hole is the number of pixels that change.
 ///
 /// 0 is background, and so is everything outside the image; labels may be any other numbers, and a
-/// label may have several components. Labels are 8- or 4-connected, holes the other way round.
-/// Takes 10 bytes of memory per pixel, and 4 more where labels touch, at corners, too; then the
-/// image is searched several times, as a rule two to five.
+/// label may have several components. Takes 10 bytes of memory per pixel, and 4 more where labels
+/// touch, at corners, too; then the image is searched several times, usually two to five.
 ///
 /// Both views must have the same size, at most 2^31 pixels, and be the same image or share no
 /// pixel. Thread-safe for different destinations. Throws as fill_holes() does; nothing is written
 /// if it throws.
-THINBENCH_API void fill_label_holes(ConstLabelView source, LabelView destination,
-                                    Connectivity labels = Connectivity::eight,
-                                    std::int64_t max_area = kAnyHoleArea,
-                                    const Execution& execution = {});
+THINBENCH_API void fill_holes_of_labels(ConstLabelView source, LabelView destination,
+                                        const HoleFilling& filling = {},
+                                        const Execution& execution = {});
 
 }  // namespace thinbench

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
@@ -48,16 +47,10 @@ class THINBENCH_API Thinner {
   /// As thin(), for views of the size given above. Allocates no memory.
   int operator()(ConstImageView source, ImageView destination);
 
-  /// The chosen variant.
-  [[nodiscard]] std::string_view technique() const { return technique_; }
-  [[nodiscard]] Isa isa() const { return isa_; }
-
  private:
   std::unique_ptr<detail::ThinningState> state_;
   Index width_;
   Index height_;
-  std::string_view technique_;
-  Isa isa_;
 };
 
 }  // namespace thinbench

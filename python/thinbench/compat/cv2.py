@@ -107,7 +107,7 @@ def connectedComponents(image: npt.ArrayLike, labels: npt.NDArray[Any] | None = 
     >>> print(count, labels[0], labels[1])
     3 [0 0 0 2] [1 0 0 0]
     """
-    found, objects = _images.label_objects(*_checked(image, connectivity, ltype))
+    found, objects = _images.numbered(*_checked(image, connectivity, ltype))
     return objects + 1, _converted(found, objects, ltype, labels)
 
 
@@ -149,7 +149,7 @@ def connectedComponentsWithStats(  # noqa: N802
     """
     if stats is not None or centroids is not None:
         raise NotImplementedError("stats, centroids: expected None; use cv2.connectedComponentsWithStats")
-    found, objects = _images.label_components(*_checked(image, connectivity, ltype))
+    found, objects = _images.numbered_objects(*_checked(image, connectivity, ltype))
     found = _converted(found, len(objects), ltype, labels)
     count = len(objects) + 1
     table = np.empty((count, 5), np.int32)
@@ -210,7 +210,7 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
                                ("dstType", dstType, CV_32F)):
         if given != known:
             raise NotImplementedError(f"{name}: expected {known}, got {given}; use cv2.distanceTransform")
-    squares = _images.distance(image, squared=True)
+    squares = _images.squared_distances(image)
     found = _arrays.result_for(image, dst, "dst", np.float32)
     if squares[0, 0] == np.iinfo(np.int32).max:
         found.fill(_NO_BACKGROUND)

@@ -61,7 +61,7 @@ def label(input: npt.ArrayLike, structure: npt.ArrayLike | None = None,
     connectivity = _connectivity(given, "scipy.ndimage.label")
     if isinstance(output, np.ndarray) and output.shape != picture.shape:
         raise ValueError(f"output: expected shape {picture.shape}, got {output.shape}")
-    labels, count = _images.label(_inputs.nonzero(picture), connectivity=connectivity)
+    labels, count = _images.label_image(_inputs.nonzero(picture), connectivity=connectivity)
     if isinstance(output, np.ndarray):
         _convert(labels, output)
         return count
@@ -202,7 +202,7 @@ def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float
     if spacing.shape not in ((), (2,)):
         raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
     down, across = (float(number) for number in np.broadcast_to(spacing, 2))
-    found = _images.distance(_inputs.nonzero(picture), spacing=(down, across))
+    found = _images.distances(_inputs.nonzero(picture), spacing=(down, across))
     if found.size > 0 and found.flat[0] == np.inf:
         rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
         found = np.sqrt(((rows + 1) * down)**2 + (columns * across)**2)

@@ -137,7 +137,7 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
         raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
     neighbours: Literal[4, 8] = 4 if connectivity == 1 else 8
     if picture.dtype == bool:
-        labels, count = _images.label(~picture if background == 1 else picture, connectivity=neighbours)
+        labels, count = _images.label_image(~picture if background == 1 else picture, connectivity=neighbours)
         return (labels, count) if return_num else labels
     if background is None:
         background = 0
@@ -153,10 +153,10 @@ def _label_values(picture: npt.NDArray[Any], background: int,
     whole = picture.astype(np.intp, copy=False) if picture.dtype.kind == "f" else picture
     foreground = whole != background
     if not foreground.any():
-        return _images.label(foreground, connectivity=connectivity)
+        return _images.label_image(foreground, connectivity=connectivity)
     first = whole[np.unravel_index(foreground.argmax(), whole.shape)]
     if not ((whole == first) != foreground).any():
-        return _images.label(foreground, connectivity=connectivity)
+        return _images.label_image(foreground, connectivity=connectivity)
     if -2**31 <= min(whole.min(), background) and max(whole.max(), background) < 2**31:
         return _images.label_values(whole, connectivity=connectivity, background=background)
     numbers = np.unique(whole, return_inverse=True)[1].reshape(whole.shape) + 1

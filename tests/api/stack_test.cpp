@@ -1,6 +1,4 @@
-// ThinningBatch: iterations and moves.
-#include "thinbench/batch.hpp"
-
+// StackThinner: iterations and moves.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -12,32 +10,33 @@
 #include <gtest/gtest.h>
 
 #include "support/untouched.hpp"
+#include "thinbench/many.hpp"
 
 namespace thinbench {
 namespace {
 
-TEST(ThinBatch, takes_no_iteration_for_an_empty_stack_and_one_for_images_without_pixels) {
-  EXPECT_EQ(thin_batch(Rule::guo_hall, ConstStackView{}, StackView{}), 0);
-  EXPECT_EQ(thin_batch(Rule::guo_hall, {nullptr, 0, 28, 28}, {nullptr, 0, 28, 28}), 0);
-  EXPECT_EQ(thin_batch(Rule::guo_hall, {nullptr, 3, 0, 28}, {nullptr, 3, 0, 28}), 1);
-  EXPECT_EQ(thin_batch(Rule::mb2, {nullptr, 3, 28, 0}, {nullptr, 3, 28, 0}), 1);
+TEST(ThinStack, takes_no_iteration_for_an_empty_stack_and_one_for_images_without_pixels) {
+  EXPECT_EQ(thin_stack(Rule::guo_hall, ConstStackView{}, StackView{}), 0);
+  EXPECT_EQ(thin_stack(Rule::guo_hall, {nullptr, 0, 28, 28}, {nullptr, 0, 28, 28}), 0);
+  EXPECT_EQ(thin_stack(Rule::guo_hall, {nullptr, 3, 0, 28}, {nullptr, 3, 0, 28}), 1);
+  EXPECT_EQ(thin_stack(Rule::mb2, {nullptr, 3, 28, 0}, {nullptr, 3, 28, 0}), 1);
 }
 
-TEST(ThinningBatch, works_after_a_move) {
-  static_assert(!std::is_copy_constructible_v<ThinningBatch>);
-  static_assert(std::is_nothrow_move_constructible_v<ThinningBatch>);
-  static_assert(std::is_nothrow_move_assignable_v<ThinningBatch>);
+TEST(StackThinner, works_after_a_move) {
+  static_assert(!std::is_copy_constructible_v<StackThinner>);
+  static_assert(std::is_nothrow_move_constructible_v<StackThinner>);
+  static_assert(std::is_nothrow_move_assignable_v<StackThinner>);
   std::vector<std::uint8_t> pixels(2 * 28 * 28, 255);
   const StackView stack = {pixels.data(), 2, 28, 28};
-  ThinningBatch first(Rule::zhang_suen, 28, 28);
+  StackThinner first(Rule::zhang_suen, 28, 28);
   const int iterations = first(stack, stack);
-  ThinningBatch second(std::move(first));
-  first = ThinningBatch(Rule::mb2, 5, 5);
+  StackThinner second(std::move(first));
+  first = StackThinner(Rule::mb2, 5, 5);
   std::fill(pixels.begin(), pixels.end(), std::uint8_t{255});
   EXPECT_EQ(second(stack, stack), iterations);
 }
 
-TEST(ThinBatch, rejects_invalid_stacks) {
+TEST(ThinStack, rejects_invalid_stacks) {
   constexpr Index huge = std::numeric_limits<Index>::max() / 2;
   Untouched from, to;
   std::uint8_t* const data = from.data();
@@ -64,7 +63,7 @@ TEST(ThinBatch, rejects_invalid_stacks) {
       {{data, 3, 5, 5, 5, 50}, {data + 25, 3, 5, 5, 5, 50}, overlap},  // interleaved
   };
   for (const auto& [source, destination, part] : cases) {
-    expect_rejected([&, in = source, out = destination] { thin_batch(Rule::guo_hall, in, out); },
+    expect_rejected([&, in = source, out = destination] { thin_stack(Rule::guo_hall, in, out); },
                     part);
   }
 }

@@ -1,4 +1,4 @@
-// fill_label_holes().
+// fill_holes_of_labels().
 #include <algorithm>
 #include <random>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 TextImage filled(const TextImage& lines, Connectivity connectivity = Connectivity::eight,
                  std::int64_t max_area = kAnyHoleArea) {
   LabelImage image = labels_of(lines);
-  fill_label_holes(image.view(), image.view(), connectivity, max_area);
+  fill_holes_of_labels(image.view(), image.view(), {connectivity, max_area});
   TextImage result;
   for (Index y = 0; y < image.height; ++y) {
     std::string line;
@@ -57,14 +57,14 @@ void expect_as_reference(const LabelImage& image, Connectivity connectivity,
   reference::fill_label_holes(image.view(), expected.view(), connectivity == Connectivity::four,
                               max_area);
   LabelImage found = image;
-  fill_label_holes(image.view(), found.view(), connectivity, max_area);
+  fill_holes_of_labels(image.view(), found.view(), {connectivity, max_area});
   EXPECT_EQ(found.labels, expected.labels);
   found = image;
-  fill_label_holes(found.view(), found.view(), connectivity, max_area);
+  fill_holes_of_labels(found.view(), found.view(), {connectivity, max_area});
   EXPECT_EQ(found.labels, expected.labels) << "in place";
 }
 
-TEST(FillLabelHoles, equals_the_reference) {
+TEST(FillHolesOfLabels, equals_the_reference) {
   std::mt19937 random(34);
   for (int i = 0; i < 300; ++i) {
     const LabelImage image = i % 2 == 0 ? random_labels(random) : random_rings(random);
@@ -77,11 +77,11 @@ TEST(FillLabelHoles, equals_the_reference) {
   }
 }
 
-TEST(FillLabelHoles, fills_holes_of_labels_that_touch) {
+TEST(FillHolesOfLabels, fills_holes_of_labels_that_touch) {
   EXPECT_EQ(filled({"111222", "1.12.2", "111222"}), (TextImage{"111222", "111222", "111222"}));
 }
 
-TEST(FillLabelHoles, leaves_what_labels_enclose_only_together) {
+TEST(FillHolesOfLabels, leaves_what_labels_enclose_only_together) {
   const TextImage halves = {"1122", "1..2", "1122"};
   EXPECT_EQ(filled(halves), halves);
   EXPECT_EQ(filled({"333333", "3....3", "3.12.3", "31..23", "3.12.3", "3....3", "333333"}),
@@ -89,7 +89,7 @@ TEST(FillLabelHoles, leaves_what_labels_enclose_only_together) {
       << "but for a label around them";
 }
 
-TEST(FillLabelHoles, gives_the_label_of_the_innermost_hole) {
+TEST(FillHolesOfLabels, gives_the_label_of_the_innermost_hole) {
   EXPECT_EQ(
       filled({"1111111", "1.....1", "1.222.1", "1.2.2.1", "1.222.1", "1.....1", "1111111"}),
       (TextImage{"1111111", "1111111", "1122211", "1122211", "1122211", "1111111", "1111111"}));
@@ -98,17 +98,17 @@ TEST(FillLabelHoles, gives_the_label_of_the_innermost_hole) {
       << "of rings that touch";
 }
 
-TEST(FillLabelHoles, keeps_the_pixels_of_labels_in_holes) {
+TEST(FillHolesOfLabels, keeps_the_pixels_of_labels_in_holes) {
   EXPECT_EQ(filled({"1111", "1231", "1.31", "1111"}), (TextImage{"1111", "1231", "1131", "1111"}));
 }
 
-TEST(FillLabelHoles, depends_on_the_connectivity_of_labels) {
+TEST(FillHolesOfLabels, depends_on_the_connectivity_of_labels) {
   const TextImage diamond = {".1.", "1.1", ".1."};
   EXPECT_EQ(filled(diamond), (TextImage{".1.", "111", ".1."}));
   EXPECT_EQ(filled(diamond, Connectivity::four), diamond);
 }
 
-TEST(FillLabelHoles, fills_holes_up_to_an_area_of_background) {
+TEST(FillHolesOfLabels, fills_holes_up_to_an_area_of_background) {
   const TextImage image = {"1111111", "1.2.1.1", "1111111"};
   EXPECT_EQ(filled(image, Connectivity::eight, 1), (TextImage{"1111111", "1.2.111", "1111111"}))
       << "a hole that another label cuts in two has two pixels";
@@ -116,21 +116,23 @@ TEST(FillLabelHoles, fills_holes_up_to_an_area_of_background) {
   EXPECT_EQ(filled(image, Connectivity::eight, 0), image);
 }
 
-TEST(FillLabelHoles, takes_strides_and_images_without_pixels) {
+TEST(FillHolesOfLabels, takes_strides_and_images_without_pixels) {
   const LabelImage image = labels_of({"1111", "1.1.", "1111"});
   std::vector<std::int32_t> out(15, -7);
-  fill_label_holes({image.labels.data(), 3, 3, 4}, {out.data(), 3, 3, 5});
+  fill_holes_of_labels({image.labels.data(), 3, 3, 4}, {out.data(), 3, 3, 5});
   EXPECT_EQ(out[6], 1);
   EXPECT_EQ(std::count(out.begin(), out.end(), -7), 6);
-  fill_label_holes({nullptr, 5, 0}, {nullptr, 5, 0});
-  fill_label_holes({nullptr, 0, 5}, {nullptr, 0, 5});
+  fill_holes_of_labels({nullptr, 5, 0}, {nullptr, 5, 0});
+  fill_holes_of_labels({nullptr, 0, 5}, {nullptr, 0, 5});
 }
 
-TEST(FillLabelHoles, rejects_what_does_not_fit) {
+TEST(FillHolesOfLabels, rejects_what_does_not_fit) {
   LabelImage image = labels_of({"11", "11"});
   const auto rejected = [&](const LabelView& to, Connectivity connectivity, std::int64_t area,
                             const Execution& execution = {}) {
-    return rejection_of([&] { fill_label_holes(image.view(), to, connectivity, area, execution); });
+    return rejection_of([&] {
+      fill_holes_of_labels(image.view(), to, {connectivity, area}, execution);
+    });
   };
   EXPECT_EQ(rejected(image.view(), Connectivity::eight, -1),
             "max_area: expected at least 0, got -1");

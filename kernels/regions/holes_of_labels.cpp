@@ -119,18 +119,17 @@ void write_filled(const ConstLabelView& source, const HoleStarts& starts,
 
 }  // namespace
 
-void fill_label_holes(ConstLabelView source, LabelView destination, Connectivity labels,
-                      std::int64_t max_area, const Execution& execution) {
+void fill_holes_of_labels(ConstLabelView source, LabelView destination, const HoleFilling& filling,
+                          const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
   detail::require_label_size(source.width, source.height);
-  detail::require_connectivity(static_cast<int>(labels));
-  detail::require_max_area(max_area);
-  const bool eight = labels == Connectivity::eight;
+  detail::require_filling(filling);
+  const bool eight = filling.objects == Connectivity::eight;
   HoleStarts starts(source.width, source.height);
   detail::LabelColours(source).for_each([&](const ConstImageView& mask) {
     starts.add(mask, eight ? Connectivity::four : Connectivity::eight, execution);
   });
-  if (max_area != kAnyHoleArea) starts.limit_areas(source, max_area);
+  if (filling.max_area != kAnyHoleArea) starts.limit_areas(source, filling.max_area);
   write_filled(source, starts, destination);
 }
 

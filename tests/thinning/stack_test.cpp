@@ -1,6 +1,4 @@
-// Batches of small images against the reference: every rule, border, iteration limit and ISA.
-#include "thinbench/batch.hpp"
-
+// Stacks of images against the reference: every rule, border, iteration limit and ISA.
 #include <algorithm>
 #include <vector>
 
@@ -12,6 +10,7 @@
 #include "support/edge_case_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
+#include "thinbench/many.hpp"
 
 namespace thinbench {
 namespace {
@@ -93,11 +92,11 @@ Index first_difference(StackView a, StackView b) {
   return -1;
 }
 
-void expect_batch(const Rule& rule, Stack& source, const Thinning& thinning,
+void expect_stack(const Rule& rule, Stack& source, const Thinning& thinning,
                   const Execution& execution, Expected& expected) {
   const StackView in = source.view();
   Stack out(in.count, in.width, in.height, 3, 5);
-  const int iterations = thin_batch(rule, in, out.view(), thinning, execution);
+  const int iterations = thin_stack(rule, in, out.view(), thinning, execution);
   const bool same = iterations == expected.iterations &&
                     first_difference(out.view(), expected.images.view()) == -1 &&
                     out.gaps_are_intact();
@@ -108,7 +107,7 @@ void expect_batch(const Rule& rule, Stack& source, const Thinning& thinning,
                     << expected.iterations;
 }
 
-void expect_batch_at_every_isa(const Rule& rule, Stack& source,
+void expect_stack_at_every_isa(const Rule& rule, Stack& source,
                                const reference::Repetition& repetition, int threads) {
   Expected expected = expected_of(rule, repetition, source);
   const Thinning thinning = {repetition.border, repetition.max_iterations};
@@ -116,19 +115,19 @@ void expect_batch_at_every_isa(const Rule& rule, Stack& source,
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     execution.isa = isa;
-    expect_batch(rule, source, thinning, execution, expected);
+    expect_stack(rule, source, thinning, execution, expected);
     if (testing::Test::HasFatalFailure()) return;
   }
 }
 
-class BatchOf : public testing::TestWithParam<RuleAndBorder> {
+class StackOf : public testing::TestWithParam<RuleAndBorder> {
  protected:
   [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
   [[nodiscard]] static Border border() { return GetParam().border; }
 };
 
 /// To save time, a rule has one border at each width. Another test has all borders at some widths.
-TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
+TEST_P(StackOf, random_images_of_every_width_equals_the_reference) {
   const Index borders = rule().sub_iterations().empty() ? 2 : 3;
   const Index first_width =
       1 + (static_cast<Index>(GetParam().name.size()) + static_cast<Index>(border())) % borders;
@@ -140,26 +139,26 @@ TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
     const int limits[] = {1, 2, 3, kUnlimited};
     const auto first = static_cast<std::size_t>((random >> 32) % 3);
     for (const int limit : {limits[first], kUnlimited}) {
-      expect_batch_at_every_isa(rule(), source, {border(), limit}, width % 8 == 0 ? 3 : 1);
+      expect_stack_at_every_isa(rule(), source, {border(), limit}, width % 8 == 0 ? 3 : 1);
       if (HasFatalFailure()) return;
     }
   }
 }
 
-TEST_P(BatchOf, narrow_and_low_images_equals_the_reference_at_every_limit) {
+TEST_P(StackOf, narrow_and_low_images_equals_the_reference_at_every_limit) {
   for (const Index width : {1, 2, 3, 16, 17, 32, 33, 64, 65, 127, 128, 129}) {
     for (const Index height : {1, 2, 3, 28}) {
       Stack source =
           random_stack(19, width, height, static_cast<std::uint64_t>(3 + 100 * width + height));
       for (const int limit : {1, 2, 3, kUnlimited}) {
-        expect_batch_at_every_isa(rule(), source, {border(), limit}, 1);
+        expect_stack_at_every_isa(rule(), source, {border(), limit}, 1);
         if (HasFatalFailure()) return;
       }
     }
   }
 }
 
-TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
+TEST_P(StackOf, all_images_of_four_by_four_equals_the_reference) {
   constexpr int count = 1 << 14;  // a quarter of all images; each quarter has another limit
   const int limits[] = {kUnlimited, 1, 2, 3};
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -170,19 +169,14 @@ TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
       const auto bits = static_cast<std::uint64_t>(count * quarter + i) * 40503 & 0xFFFF;
       source.set(i, image_of_bits(4, 4, bits).view());
     }
-    expect_batch_at_every_isa(rule(), source, {border(), limits[quarter]}, 1);
+    expect_stack_at_every_isa(rule(), source, {border(), limits[quarter]}, 1);
     if (HasFatalFailure()) return;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, BatchOf, all_rules_and_borders(), rule_and_border_test_name);
+INSTANTIATE_TEST_SUITE_P(Rules, StackOf, all_rules_and_borders(), rule_and_border_test_name);
 
-TEST(ThinningBatch, uses_lanes_up_to_the_maximum_lane_width) {
-  EXPECT_FALSE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth, 5).one_by_one());
-  EXPECT_TRUE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth + 1, 5).one_by_one());
-}
-
-TEST(ThinningBatch, treats_any_nonzero_byte_as_foreground) {
+TEST(StackThinner, treats_any_nonzero_byte_as_foreground) {
   Stack source(2, 5, 5);
   Stack binary(2, 5, 5);
   for (Index i = 0; i < 2; ++i) {
@@ -195,36 +189,44 @@ TEST(ThinningBatch, treats_any_nonzero_byte_as_foreground) {
     source.set(i, image.view());
   }
   Expected expected = expected_of(Rule::guo_hall, {}, binary);
-  expect_batch(Rule::guo_hall, source, {}, {}, expected);
+  expect_stack(Rule::guo_hall, source, {}, {}, expected);
 }
 
-TEST(ThinningBatch, works_in_place) {
+TEST(StackThinner, works_in_place) {
   for (const Index width : {28, 64, 128, 150}) {
     Stack source = random_stack(37, width, 20, 8);
     Expected expected = expected_of(Rule::zhang_suen, {}, source);
-    EXPECT_EQ(thin_batch(Rule::zhang_suen, source.view(), source.view()), expected.iterations);
+    EXPECT_EQ(thin_stack(Rule::zhang_suen, source.view(), source.view()), expected.iterations);
     EXPECT_EQ(first_difference(source.view(), expected.images.view()), -1);
     EXPECT_TRUE(source.gaps_are_intact());
   }
 }
 
-TEST(ThinningBatch, threads_share_the_images_with_and_without_lanes) {
+TEST(StackThinner, threads_share_the_images_with_and_without_lanes) {
   for (const Index width : {28, 140}) {
     Stack source = random_stack(100, width, 12, 4);
     Expected expected = expected_of(Rule::guo_hall, {}, source);
     for (const int threads : {2, 3, 7}) {
-      expect_batch(Rule::guo_hall, source, {}, {.threads = threads}, expected);
+      expect_stack(Rule::guo_hall, source, {}, {.threads = threads}, expected);
     }
   }
 }
 
-TEST(ThinningBatch, takes_a_different_number_of_images_in_each_call) {
-  ThinningBatch batch(Rule::guo_hall, 28, 28, {}, {.threads = 2});
+TEST(StackThinner, thins_large_images_one_after_another_on_all_threads) {
+  Stack source = random_stack(3, 1100, 1000, 4);
+  Expected expected = expected_of(Rule::guo_hall, {}, source);
+  for (const int threads : {1, 2, 3}) {
+    expect_stack(Rule::guo_hall, source, {}, {.threads = threads}, expected);
+  }
+}
+
+TEST(StackThinner, takes_a_different_number_of_images_in_each_call) {
+  StackThinner thinner(Rule::guo_hall, 28, 28, {}, {.threads = 2});
   for (const Index count : {40, 3, 0, 17}) {
     Stack source = random_stack(count, 28, 28, static_cast<std::uint64_t>(count));
     Expected expected = expected_of(Rule::guo_hall, {}, source);
     Stack out(count, 28, 28);
-    EXPECT_EQ(batch(source.view(), out.view()), expected.iterations);
+    EXPECT_EQ(thinner(source.view(), out.view()), expected.iterations);
     EXPECT_EQ(first_difference(out.view(), expected.images.view()), -1);
   }
 }
