@@ -22,9 +22,7 @@ using detail::require;
 /// `highest`: of all grey levels.
 void check(const Binarisation& request, int highest) {
   detail::require_enumerator(request.foreground, kForegroundNames.size(), "foreground");
-  const auto in = [](int value, int least, int most) {
-    return least <= value && value <= most;
-  };
+  const auto in = [](int value, int least, int most) { return least <= value && value <= most; };
   const int threshold = request.threshold.value_or(0);
   const std::string levels = "expected an integer in [0, " + std::to_string(highest) + "], got ";
   require(in(threshold, 0, highest), "threshold: " + levels + std::to_string(threshold));

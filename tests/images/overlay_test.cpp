@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "peers/mat_of.hpp"
 #include "images/regions.hpp"
+#include "peers/mat_of.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
 

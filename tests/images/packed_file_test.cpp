@@ -1,12 +1,11 @@
 // Headers of packed files, and numbers of packed pixels.
-#include "images/pnm.hpp"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
 #include "images/binarise.hpp"
+#include "images/pnm.hpp"
 #include "support/packed_image.hpp"
 
 namespace thinbench {

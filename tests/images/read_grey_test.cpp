@@ -210,10 +210,12 @@ TEST_F(ReadGrey, tiff_with_samples_that_are_not_read_is_not_called_damaged) {
   const std::string known =
       "; known are integers of 1 to 16 and of 32 bits, and real numbers of 32 and 64";
   constexpr std::size_t kBitsPerSample = 42;  // where plain_tiff() has this number
-  std::string tiff = plain_tiff(1, 1, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, "\1\2\3\4\5\6\7\10");
+  std::string tiff =
+      plain_tiff(1, 1, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, "\1\2\3\4\5\6\7\10");
   for (const int bits : {24, 64}) {
     tiff[kBitsPerSample] = static_cast<char>(bits);
-    expect_error_of("a.tif", tiff, "its samples are integers of " + std::to_string(bits) + " bits" + known);
+    expect_error_of("a.tif", tiff,
+                    "its samples are integers of " + std::to_string(bits) + " bits" + known);
   }
   constexpr std::size_t kCompression = 54;
   tiff[kBitsPerSample] = 8;

@@ -1,6 +1,4 @@
 // TIFF images of 1 bit per pixel, read and written by rows.
-#include "images/tiff.hpp"
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "harness/test_images.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
+#include "images/tiff.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/made_image.hpp"
 #include "support/own_directory.hpp"
@@ -104,10 +103,10 @@ TEST_F(TiffWriting, keeps_compression_and_resolution_and_writes_bright_as_1) {
 TEST_F(TiffWriting, full_disk_is_reported) {
   const FileSizeLimit limit(1000);
   std::string rows(100 * 100, '\0');
-  std::generate(rows.begin(), rows.end(), [i = 0U]() mutable { return static_cast<char>(splitmix64(1, ++i)); });
-  EXPECT_EQ(
-      rejection_of<FileError>([&] { write_rows("page.tif", {}, 800, 100, rows); }),
-      "cannot write 'page.tif': File too large");
+  std::generate(rows.begin(), rows.end(),
+                [i = 0U]() mutable { return static_cast<char>(splitmix64(1, ++i)); });
+  EXPECT_EQ(rejection_of<FileError>([&] { write_rows("page.tif", {}, 800, 100, rows); }),
+            "cannot write 'page.tif': File too large");
 }
 
 TEST_F(TiffReading, other_images_are_not_bilevel) {

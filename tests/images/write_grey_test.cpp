@@ -88,9 +88,12 @@ TEST_F(WriteGrey, labels_beyond_16_bits_take_32_in_tiff_and_nothing_else) {
   const std::int32_t labels[] = {0, 7, 65536, INT32_MAX};
   write_labels("a.tif", {labels, 2, 2});
   EXPECT_EQ(read_labels(read_file("a.tif")).labels, std::vector<std::int32_t>(labels, labels + 4));
-  EXPECT_EQ(rejection_of<FileError>([&] { write_labels("a.png", {labels, 2, 2}); }),
-            "cannot write 'a.png': it has labels up to 2147483647, and its format holds 65535; .tif "
-            "holds more");
+  EXPECT_EQ(
+      rejection_of<FileError>([&] {
+        write_labels("a.png", {labels, 2, 2});
+      }),
+      "cannot write 'a.png': it has labels up to 2147483647, and its format holds 65535; .tif "
+      "holds more");
   write_labels("a.png", {labels, 2, 1});
   EXPECT_EQ(read_labels(read_file("a.png")).labels, std::vector<std::int32_t>(labels, labels + 2));
 }

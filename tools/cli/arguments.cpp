@@ -211,7 +211,8 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
   return app
       .add_option_function<std::string>(
           "--threshold", set,
-          "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that separates the two classes "
+          "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that "
+          "separates the two classes "
           "best; local: for uneven light, the mean of the window around each pixel")
       ->check(integer_or(0, kMaxLevel, {kOtsu, kLocal}))
       ->type_name("N|otsu|local")
@@ -239,10 +240,10 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
           ->check(odd_number(3, 65535))
           ->type_name("N");
   CLI::Option* const offset =
-      app.add_option_function<std::string>(
-             "--offset", set("--offset", &LocalThreshold::offset),
-             "How far foreground is above or below the mean, 0 to 65535 (default: 10, of 16 bits as "
-             "large a share of their range)")
+      app.add_option_function<std::string>("--offset", set("--offset", &LocalThreshold::offset),
+                                           "How far foreground is above or below the mean, 0 to "
+                                           "65535 (default: 10, of 16 bits as "
+                                           "large a share of their range)")
           ->check(whole_number(0, kMaxLevel))
           ->type_name("N");
   return {window, offset};
@@ -377,8 +378,10 @@ std::string binarise_words(const BinariseOptions& options) {
   }
   const auto& [channel, opacity, backdrop, crop, blur] = options.grey;
   if (opacity) words.append(" --channel ").append(kOpacity);
-  if (!opacity && channel != Channel::grey) words.append(" --channel ").append(channel_name(channel));
-  if (backdrop) words.append(*backdrop == Backdrop::white ? " --background white" : " --background black");
+  if (!opacity && channel != Channel::grey)
+    words.append(" --channel ").append(channel_name(channel));
+  if (backdrop)
+    words.append(*backdrop == Backdrop::white ? " --background white" : " --background black");
   std::ostringstream numbers;
   if (blur > 0) numbers << " --blur " << fmt::to_string(blur);
   if (crop.height > 0) {

@@ -161,8 +161,7 @@ BatchResult compute_graph(GreyImage grey, BatchRecord& record,
                           const BatchOperationRequest& request) {
   check_graph_size(record.file, grey.width, grey.height);
   const bool draws = !request.overlay.empty();
-  const BinaryImage binary =
-      binarise(draws ? copy_of(grey) : std::move(grey), request.binarise);
+  const BinaryImage binary = binarise(draws ? copy_of(grey) : std::move(grey), request.binarise);
   describe_regions(binary, request.binarise, {}, record);
   ByteImage skeleton = skeleton_of(binary.image, request.graph);
   const FoundGraph found =

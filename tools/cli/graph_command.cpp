@@ -146,9 +146,10 @@ void take_place(const std::optional<GeoReference>& place, const GraphCommandOpti
   if (!place || options.geojson.empty() || !options.has_plain_coordinates()) return;
   found.place = place;
   const std::string system = place->epsg == 0 ? "" : fmt::format(", EPSG:{}", place->epsg);
-  remarks << fmt::format("note: {}: coordinates in {} are those of its GeoTIFF tags{}; --transform "
-                         "overrides this\n",
-                         options.in, options.geojson, system);
+  remarks << fmt::format(
+      "note: {}: coordinates in {} are those of its GeoTIFF tags{}; --transform "
+      "overrides this\n",
+      options.in, options.geojson, system);
 }
 
 FoundGraph graph_of_image(const GraphCommandOptions& options, std::ostream& remarks) {

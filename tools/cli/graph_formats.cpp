@@ -219,9 +219,8 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
         "LineString", positions(found.lines[i], [&](Pixel p) { return position(p.x, p.y); }),
         properties_of(found, i)));
   }
-  Json json = {{"type", "FeatureCollection"},
-               {"spacing", spacing_json(found)},
-               {"unit", unit_json(found)}};
+  Json json = {
+      {"type", "FeatureCollection"}, {"spacing", spacing_json(found)}, {"unit", unit_json(found)}};
   if (found.place && found.place->epsg != 0) {
     const std::string name = fmt::format("urn:ogc:def:crs:EPSG::{}", found.place->epsg);
     json["crs"] = {{"type", "name"}, {"properties", {{"name", name}}}};

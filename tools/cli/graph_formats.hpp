@@ -28,8 +28,8 @@ struct FoundGraph {
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
   Spacing spacing;
   std::string unit;
-  std::vector<GraphPath> main_paths;  // of the components, if asked for
-  std::vector<std::int32_t> labels;   // of the nodes, if the image has labels
+  std::vector<GraphPath> main_paths;                 // of the components, if asked for
+  std::vector<std::int32_t> labels;                  // of the nodes, if the image has labels
   std::optional<GeoReference> place = std::nullopt;  // of GeoJSON, if the image is a map
 };
 

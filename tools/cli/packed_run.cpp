@@ -34,7 +34,8 @@ PackedFormat raw_format(const PackedOptions& options) {
       *height > max_side / *width) {
     throw UsageError("--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '" + options.raw + "'");
   }
-  return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first, 0};
+  return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first,
+          0};
 }
 
 PackedFormat format_of(const PackedOptions& options, const FileBytes& in) {

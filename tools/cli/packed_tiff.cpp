@@ -13,7 +13,8 @@ std::optional<PackedPage> packed_tiff(const PackedOptions& options, const Binari
   const std::string extension = extension_of(out);
   if (!options.raw.empty() || (extension != ".tif" && extension != ".tiff")) return std::nullopt;
   const bool has_levels = binarise.threshold || binarise.local || binarise.grey.blur > 0 ||
-                          binarise.grey.crop.height > 0 || binarise.grey.opacity || binarise.lenient;
+                          binarise.grey.crop.height > 0 || binarise.grey.opacity ||
+                          binarise.lenient;
   return has_levels ? std::nullopt : decode_packed_tiff(in);
 }
 
@@ -29,7 +30,8 @@ int run_tiff(const RequestedThinning& thinning, const BinariseOptions& binarise,
   print_remarks(files.in, binary, binarise, remarks);
   if (binary.foreground == Foreground::dark) invert(image);
   const auto save = [&] {
-    const Samples samples = {image.data, image.width, image.height, image.stride, 1, SampleKind::bit};
+    const Samples samples = {image.data,   image.width, image.height,
+                             image.stride, 1,           SampleKind::bit};
     write_bytes(files.out, encode_tiff({&samples, 1}, page.format));
     console.err << remarks.str();
   };

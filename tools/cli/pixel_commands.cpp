@@ -77,13 +77,15 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
 }
 
 /// Distances as they are, or rounded to 16 bits.
-void write_distances(const std::vector<double>& found, const PixelOptions& options, Index width, Index height) {
+void write_distances(const std::vector<double>& found, const PixelOptions& options, Index width,
+                     Index height) {
   if (options.real) {
     const std::vector<float> reals(found.begin(), found.end());
     return write_reals(options.out, {reals.data(), width, height});
   }
   std::vector<std::uint16_t> levels(found.size());
-  std::ranges::transform(found, levels.begin(), [](double d) { return static_cast<std::uint16_t>(std::lround(d)); });
+  std::ranges::transform(found, levels.begin(),
+                         [](double d) { return static_cast<std::uint16_t>(std::lround(d)); });
   write_deep(options.out, {levels.data(), width, height});
 }
 
@@ -92,14 +94,16 @@ void check_range(double greatest, const PixelOptions& options) {
   constexpr double kMaxLevel = 65535;
   if (options.real) return;
   if (std::round(greatest) > kMaxLevel) {
-    throw FileError(fmt::format("{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}; --float "
-                                "writes real numbers",
-                                options.in, kMaxLevel, greatest));
+    throw FileError(fmt::format(
+        "{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}; --float "
+        "writes real numbers",
+        options.in, kMaxLevel, greatest));
   }
   if (greatest > 0 && std::round(greatest) == 0) {
-    throw FileError(fmt::format("{}: the greatest distance is {:.6g}, so all become 0; give --spacing in a smaller "
-                                "unit, or --float",
-                                options.in, greatest));
+    throw FileError(fmt::format(
+        "{}: the greatest distance is {:.6g}, so all become 0; give --spacing in a smaller "
+        "unit, or --float",
+        options.in, greatest));
   }
 }
 

@@ -23,7 +23,8 @@ class Program {
  public:
   Program(const ProgramInfo& info, const Console& console)
       : app_(info.description, info.name), console_(console) {
-    app_.set_version_flag("--version", info.name + " " + std::string(kVersion), "Print the version");
+    app_.set_version_flag("--version", info.name + " " + std::string(kVersion),
+                          "Print the version");
     app_.require_subcommand(1);
     app_.footer(info.footer);
     for (const auto add : info.commands) commands_.push_back(add(app_));

@@ -17,7 +17,7 @@ namespace thinbench {
 struct ForegroundChoice {
   Foreground foreground;
   std::optional<double> threshold;  // nothing where it is local
-  const char* method;            // "given", "otsu" or "local"
+  const char* method;               // "given", "otsu" or "local"
 };
 
 [[nodiscard]] ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options);

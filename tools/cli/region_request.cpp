@@ -42,8 +42,9 @@ DrawnRegions find_regions_in(GreyImage grey, BinaryImage binary, const ImagePage
   if (request.draws) {
     drawn.ground = request.localises ? copy_of(grey.bytes.view()) : in_bytes(std::move(grey)).bytes;
   }
-  const AllRegions all = request.localises ? by_edges(std::move(grey.bytes), std::move(binary), request)
-                                           : by_foreground(std::move(binary), request);
+  const AllRegions all = request.localises
+                             ? by_edges(std::move(grey.bytes), std::move(binary), request)
+                             : by_foreground(std::move(binary), request);
   drawn.found.regions = selected(all.regions, kept_regions(all.regions, request.min_area));
   if (request.draws) {
     drawn.overlay = regions_overlay(all.objects.view(), all.regions, request.min_area);

@@ -49,7 +49,8 @@ int run_scan(const RunOptions& options, const Console& console) {
   const auto& [in, out] = options.files;
   FileBytes file = read_input(in);
   check_replaced(file, out);
-  const std::string summary = scan_image_file(scan, std::move(file), out, options.binarise, console);
+  const std::string summary =
+      scan_image_file(scan, std::move(file), out, options.binarise, console);
   summary_stream(console, out) << summary << '\n';
   return kSuccess;
 }
@@ -69,7 +70,8 @@ int run(const RunOptions& options, const Console& console) {
     file = {};
     return run_tiff(thinning, options.binarise, std::move(*page), options.files, console);
   }
-  const std::string summary = thin_image_file(thinning, std::move(file), out, options.binarise, console);
+  const std::string summary =
+      thin_image_file(thinning, std::move(file), out, options.binarise, console);
   summary_stream(console, out) << summary << '\n';
   return kSuccess;
 }

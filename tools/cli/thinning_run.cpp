@@ -97,12 +97,13 @@ std::string thin_packed_image(const RequestedThinning& thinning, const PackedVie
   return summary;
 }
 
-std::string thin_packed_file(const RequestedThinning& thinning, FileBytes in, const std::string& out,
-                             const PackedFormat& format) {
+std::string thin_packed_file(const RequestedThinning& thinning, FileBytes in,
+                             const std::string& out, const PackedFormat& format) {
   if (in.text().size() != format.file_bytes()) {
-    cannot_read(in.name(), fmt::format("it has {} bytes; {}{} x {} pixels take {}", in.text().size(),
-                                       format.header_bytes == 0 ? "" : "its header and ",
-                                       format.width, format.height, format.file_bytes()));
+    cannot_read(in.name(),
+                fmt::format("it has {} bytes; {}{} x {} pixels take {}", in.text().size(),
+                            format.header_bytes == 0 ? "" : "its header and ", format.width,
+                            format.height, format.file_bytes()));
   }
   auto* const data = reinterpret_cast<std::uint8_t*>(in.data() + format.header_bytes);
   const PackedView image(data, format.width, format.height, format.order);

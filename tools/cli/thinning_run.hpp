@@ -33,12 +33,12 @@ struct RunSummary {
 
 /// Remarks on the foreground go to the console.
 [[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning, FileBytes in,
-                                          const std::string& out,
-                                          const BinariseOptions& binarise, const Console& console);
+                                          const std::string& out, const BinariseOptions& binarise,
+                                          const Console& console);
 
 [[nodiscard]] std::string scan_image_file(const RequestedScan& scan, FileBytes in,
-                                          const std::string& out,
-                                          const BinariseOptions& binarise, const Console& console);
+                                          const std::string& out, const BinariseOptions& binarise,
+                                          const Console& console);
 
 /// Thins an image in place, then calls `save`.
 [[nodiscard]] std::string thin_packed_image(const RequestedThinning& thinning,

@@ -40,7 +40,8 @@ std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& 
       binary.separation >= kMinSeparation || binary.undecided_share <= kMaxUndecided;
   if (options.threshold || options.local || is_clear) return {};
   return fmt::format(
-      "the two classes overlap: {:.1f} % of the pixels are near the threshold; check the result, or "
+      "the two classes overlap: {:.1f} % of the pixels are near the threshold; check the result, "
+      "or "
       "try --threshold local, --channel auto, --blur 1 or --threshold N",
       100 * binary.undecided_share);
 }
@@ -65,25 +66,28 @@ namespace {
 int level_of(int number, const GreyImage& grey) {
   const double level = std::ceil((number - grey.first) / grey.step);
   if (level <= grey.highest()) return static_cast<int>(std::max(level, 0.0));
-  throw std::invalid_argument(fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {}",
-                                          grey.first + grey.step * grey.highest(), number));
+  throw std::invalid_argument(
+      fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {}",
+                  grey.first + grey.step * grey.highest(), number));
 }
 
 /// In levels. By default as large a share of the range of 16 bits as of 8.
-Binarisation request_for(const GreyImage& grey, const LevelRange& range, const BinariseOptions& options) {
+Binarisation request_for(const GreyImage& grey, const LevelRange& range,
+                         const BinariseOptions& options) {
   Binarisation request = {options.foreground, options.threshold, options.local};
   if (request.threshold) request.threshold = level_of(*request.threshold, grey);
   if (!request.local || !grey.is_deep()) return request;
   int& offset = request.local->offset;
-  offset = static_cast<int>(std::lround(options.has_offset ? offset / grey.step
-                                                           : offset * (range.highest - range.lowest) / 255.0));
+  offset = static_cast<int>(std::lround(
+      options.has_offset ? offset / grey.step : offset * (range.highest - range.lowest) / 255.0));
   offset = std::clamp(offset, 0, grey.highest());
   return request;
 }
 
 std::string range_text(const GreyImage& grey, const LevelRange& range) {
   const auto number = [&](int level) { return grey.first + grey.step * level; };
-  return fmt::format("16 bits, levels {:.9g} to {:.9g}", number(range.lowest), number(range.highest));
+  return fmt::format("16 bits, levels {:.9g} to {:.9g}", number(range.lowest),
+                     number(range.highest));
 }
 
 }  // namespace
@@ -172,7 +176,8 @@ std::string class_text(const BinaryImage& binary) {
     return fmt::format("{} (by the means of {} x {} pixels)", name, binary.window, binary.window);
   }
   const char* const relation = binary.foreground == Foreground::bright ? ">=" : "<";
-  return fmt::format("{} (grey level {} {:.9g})", name, relation, binary.number_of(binary.threshold));
+  return fmt::format("{} (grey level {} {:.9g})", name, relation,
+                     binary.number_of(binary.threshold));
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {
@@ -202,8 +207,10 @@ GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options
   } catch (const std::bad_alloc&) {
     cannot_read(name, "there is not enough memory for it");
   }
-  if (decoder_warning.empty() || result.warning.empty()) result.warning += decoder_warning;
-  else result.warning = decoder_warning + "; " + result.warning;
+  if (decoder_warning.empty() || result.warning.empty())
+    result.warning += decoder_warning;
+  else
+    result.warning = decoder_warning + "; " + result.warning;
   return result;
 }
 
@@ -213,7 +220,8 @@ GreyImage read_levels(FileBytes file, const BinariseOptions& options, std::ostre
   print_line("warning: ", name, read.warning, log);
   if (options.grey.channel == Channel::automatic && !options.grey.opacity) {
     const std::string_view channel = channel_name(read.channel);
-    print_line("note: ", name, fmt::format("channel is {}; --channel overrides this", channel), log);
+    print_line("note: ", name, fmt::format("channel is {}; --channel overrides this", channel),
+               log);
   }
   return std::move(read.grey);
 }

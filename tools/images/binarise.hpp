@@ -17,7 +17,7 @@ namespace thinbench {
 /// How an image file becomes an image of two classes.
 struct BinariseOptions {
   Foreground foreground = Foreground::automatic;  // as in Binarisation, as are the next two
-  std::optional<int> threshold = std::nullopt;  // in the file's numbers
+  std::optional<int> threshold = std::nullopt;    // in the file's numbers
   /// Damaged JPEG and TIFF files are read as far as possible, with a warning.
   bool lenient = false;
   std::optional<LocalThreshold> local = std::nullopt;
@@ -29,7 +29,7 @@ struct BinariseOptions {
 
 /// A binary image, and what it was made from.
 struct BinaryImage : Binarised {
-  ByteImage image;  // 255 on foreground, 0 elsewhere
+  ByteImage image;             // 255 on foreground, 0 elsewhere
   double first = 0, step = 1;  // what levels stand for, see GreyImage
   std::string range = {};      // "16 bits, levels 480 to 733"; empty for 8 bits
 

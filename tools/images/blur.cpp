@@ -76,7 +76,8 @@ void blur_by(const Pixels& image, const std::vector<std::uint64_t>& kernel, int 
 
 void blur(const Pixels& image, double sigma) {
   constexpr int bits = 8, deep_bits = 16;  // of fractions
-  if (image.kind == SampleKind::u8) return blur_by<std::uint8_t>(image, kernel_of(sigma, 3, bits), bits);
+  if (image.kind == SampleKind::u8)
+    return blur_by<std::uint8_t>(image, kernel_of(sigma, 3, bits), bits);
   blur_by<std::uint16_t>(image, kernel_of(sigma, 4, deep_bits), deep_bits);
 }
 

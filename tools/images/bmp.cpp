@@ -39,7 +39,8 @@ class BmpReader {
   explicit BmpReader(std::string_view bytes) : bytes_(bytes) {
     const bool is_os2 = number(14, 4) == 12;
     width_ = is_os2 ? Index{number(18, 2)} : Index{static_cast<std::int32_t>(number(18, 4))};
-    const Index height = is_os2 ? Index{number(20, 2)} : Index{static_cast<std::int32_t>(number(22, 4))};
+    const Index height =
+        is_os2 ? Index{number(20, 2)} : Index{static_cast<std::int32_t>(number(22, 4))};
     height_ = height < 0 ? -height : height;
     is_top_down_ = height < 0;
     bits_ = number(is_os2 ? 24 : 28, 2);
@@ -63,9 +64,7 @@ class BmpReader {
   [[nodiscard]] std::uint32_t number(std::size_t at, std::size_t count) const {
     return little_endian(bytes_, at, count);
   }
-  [[nodiscard]] bool has_runs() const {
-    return compression_ == kRuns8 || compression_ == kRuns4;
-  }
+  [[nodiscard]] bool has_runs() const { return compression_ == kRuns8 || compression_ == kRuns4; }
   [[nodiscard]] Index row_bytes() const { return (width_ * bits_ + 31) / 32 * 4; }
 
   void check() const {
@@ -74,11 +73,14 @@ class BmpReader {
     }
     constexpr std::array known = {1U, 2U, 4U, 8U, 16U, 24U, 32U};
     const bool fits = !has_runs() || bits_ == (compression_ == kRuns8 ? 8 : 4);
-    if (std::ranges::find(known, bits_) == known.end() || compression_ > kMasksWithOpacity || !fits) {
-      throw DecodeError(fmt::format("it is a BMP file of {} bits with compression {}, which is not read",
-                                    bits_, compression_));
+    if (std::ranges::find(known, bits_) == known.end() || compression_ > kMasksWithOpacity ||
+        !fits) {
+      throw DecodeError(
+          fmt::format("it is a BMP file of {} bits with compression {}, which is not read", bits_,
+                      compression_));
     }
-    if (width_ < 1 || height_ < 1 || data_ > bytes_.size()) throw DecodeError("it is damaged or has no pixels");
+    if (width_ < 1 || height_ < 1 || data_ > bytes_.size())
+      throw DecodeError("it is damaged or has no pixels");
     if (has_runs()) return;
     // The last row of some writers ends with its last pixel.
     const Index last = (width_ * bits_ + 7) / 8;
@@ -92,7 +94,9 @@ class BmpReader {
     const std::size_t all = std::size_t{1} << bits_;
     const std::size_t count = used == 0 || used > all ? all : used;
     for (std::size_t i = 0; i < count && start + (i + 1) * entry <= bytes_.size(); ++i) {
-      const auto at = [&](std::size_t k) { return static_cast<std::uint8_t>(bytes_[start + i * entry + k]); };
+      const auto at = [&](std::size_t k) {
+        return static_cast<std::uint8_t>(bytes_[start + i * entry + k]);
+      };
       palette_.push_back({at(2), at(1), at(0), 255});
     }
   }
@@ -103,7 +107,8 @@ class BmpReader {
     if (bits_ == 16) masks = {0x7C00, 0x3E0, 0x1F, 0};
     if (compression_ == kMasks || compression_ == kMasksWithOpacity) {
       const bool has_opacity = header_ >= 56 || compression_ == kMasksWithOpacity;
-      for (std::size_t i = 0; i < 4; ++i) masks[i] = i < 3 || has_opacity ? number(54 + 4 * i, 4) : 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        masks[i] = i < 3 || has_opacity ? number(54 + 4 * i, 4) : 0;
     }
     for (std::size_t i = 0; i < 4; ++i) masks_[i] = Mask(masks[i]);
   }
@@ -115,7 +120,8 @@ class BmpReader {
 
   void read_indices(const Pixels& image) const {
     for (Index y = 0; y < height_; ++y) {
-      const auto* const from = reinterpret_cast<const std::uint8_t*>(bytes_.data() + data_ + y * row_bytes());
+      const auto* const from =
+          reinterpret_cast<const std::uint8_t*>(bytes_.data() + data_ + y * row_bytes());
       std::uint8_t* const to = row_of(image, y);
       if (bits_ == 8) {
         std::copy_n(from, width_, to);
@@ -138,7 +144,8 @@ class BmpReader {
       std::uint8_t* to = row_of(image, y);
       for (Index x = 0; x < width_; ++x, from += pixel_bytes) {
         const std::uint32_t pixel = little_endian({from, pixel_bytes}, 0, pixel_bytes);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(channels); ++i) *to++ = masks_[i].level(pixel);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(channels); ++i)
+          *to++ = masks_[i].level(pixel);
       }
     }
     return image;
@@ -226,8 +233,9 @@ std::string encode_bmp(const Samples& image) {
   const auto pixels = static_cast<std::uint32_t>(row_bytes * image.height);
   std::string bytes = "BM";
   bytes.reserve(start + std::size_t{pixels});
-  for (const std::uint32_t value : {start + pixels, 0U, start, 40U, static_cast<std::uint32_t>(image.width),
-                                    static_cast<std::uint32_t>(image.height)}) {
+  for (const std::uint32_t value :
+       {start + pixels, 0U, start, 40U, static_cast<std::uint32_t>(image.width),
+        static_cast<std::uint32_t>(image.height)}) {
     add(bytes, value, 4);
   }
   add(bytes, 1, 2);
@@ -236,8 +244,10 @@ std::string encode_bmp(const Samples& image) {
   for (std::uint32_t i = 0; i < colours; ++i) add(bytes, i * 0x10101, 4);
   for (Index y = image.height; y-- > 0;) {
     const std::size_t row = bytes.size();
-    bytes.append(reinterpret_cast<const char*>(image.row(y)), static_cast<std::size_t>(image.row_bytes()));
-    for (std::size_t i = row; image.channels == 3 && i < bytes.size(); i += 3) std::swap(bytes[i], bytes[i + 2]);
+    bytes.append(reinterpret_cast<const char*>(image.row(y)),
+                 static_cast<std::size_t>(image.row_bytes()));
+    for (std::size_t i = row; image.channels == 3 && i < bytes.size(); i += 3)
+      std::swap(bytes[i], bytes[i + 2]);
     bytes.resize(row + static_cast<std::size_t>(row_bytes));
   }
   return bytes;

@@ -13,7 +13,8 @@ Canvas::Canvas(const ConstImageView& grey, bool is_faded)
   for (Index y = 0; y < height_; ++y) {
     for (Index x = 0; x < width_; ++x) {
       const std::uint8_t level = grey.row(y)[x];
-      colours_.insert(colours_.end(), 3, is_faded ? static_cast<std::uint8_t>(level / 2 + 128) : level);
+      colours_.insert(colours_.end(), 3,
+                      is_faded ? static_cast<std::uint8_t>(level / 2 + 128) : level);
     }
   }
 }
@@ -26,8 +27,10 @@ void Canvas::set(Index x, Index y, const OverlayColour& colour) {
   pixel[2] = colour.blue;
 }
 
-void Canvas::draw_line(const std::vector<Pixel>& points, bool is_closed, const OverlayColour& colour) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) draw_segment(points[i], points[i + 1], colour);
+void Canvas::draw_line(const std::vector<Pixel>& points, bool is_closed,
+                       const OverlayColour& colour) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    draw_segment(points[i], points[i + 1], colour);
   if (is_closed || points.size() == 1) draw_segment(points.back(), points.front(), colour);
 }
 
@@ -77,7 +80,8 @@ void Canvas::draw_band(const std::vector<Pixel>& points, double width, double op
   std::vector<bool> marked(static_cast<std::size_t>(width_ * height_));
   const auto mark = [&](Index y, double left, double right) {
     const auto first = static_cast<Index>(std::max(0.0, std::ceil(left)));
-    const auto end = static_cast<Index>(std::min(static_cast<double>(width_), std::floor(right) + 1));
+    const auto end =
+        static_cast<Index>(std::min(static_cast<double>(width_), std::floor(right) + 1));
     if (first >= end) return;
     const auto row = marked.begin() + y * width_;
     std::fill(row + first, row + end, true);
@@ -85,7 +89,8 @@ void Canvas::draw_band(const std::vector<Pixel>& points, double width, double op
   for (std::size_t i = 0; i < points.size(); ++i) {
     mark_segment(points[i], points[std::min(i + 1, points.size() - 1)], width / 2, height_, mark);
   }
-  const std::array<double, 3> channels = {static_cast<double>(colour.red), static_cast<double>(colour.green),
+  const std::array<double, 3> channels = {static_cast<double>(colour.red),
+                                          static_cast<double>(colour.green),
                                           static_cast<double>(colour.blue)};
   for (std::size_t i = 0; i < marked.size(); ++i) {
     if (!marked[i]) continue;

@@ -60,7 +60,8 @@ struct Samples {
                                                  std::size_t count) {
   std::uint32_t value = 0;
   for (std::size_t i = count; i > 0; --i) {
-    value = value << 8 | (at + i <= bytes.size() ? static_cast<std::uint8_t>(bytes[at + i - 1]) : 0U);
+    value =
+        value << 8 | (at + i <= bytes.size() ? static_cast<std::uint8_t>(bytes[at + i - 1]) : 0U);
   }
   return value;
 }

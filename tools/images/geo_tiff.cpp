@@ -7,7 +7,8 @@
 namespace thinbench {
 namespace {
 
-constexpr std::uint32_t kPixelScale = 33550, kTiePoint = 33922, kTransformation = 34264, kKeys = 34735;
+constexpr std::uint32_t kPixelScale = 33550, kTiePoint = 33922, kTransformation = 34264,
+                        kKeys = 34735;
 
 /// The values of a tag that libtiff does not know; empty if it is not there.
 template <class T>
@@ -17,7 +18,8 @@ std::span<const T> values_of(const TiffHandle& tiff, std::uint32_t tag) {
   const TIFFField* const field = TIFFFindField(tiff.get(), tag, TIFF_ANY);
   const TIFFDataType type = sizeof(T) == 8 ? TIFF_DOUBLE : TIFF_SHORT;
   if (field == nullptr || TIFFFieldDataType(field) != type) return {};
-  return TIFFGetField(tiff.get(), tag, &count, &values) == 1 ? std::span(values, count) : std::span<const T>();
+  return TIFFGetField(tiff.get(), tag, &count, &values) == 1 ? std::span(values, count)
+                                                             : std::span<const T>();
 }
 
 /// The value of a GeoKey that is one number; 0 if it is not there.
@@ -40,7 +42,8 @@ std::optional<GeoReference> geo_reference_of(const TiffHandle& tiff) {
   if (matrix.size() == 16) {
     place.transform = {matrix[0], matrix[1], matrix[3], matrix[4], matrix[5], matrix[7]};
   } else if (scale.size() >= 2 && tie.size() >= 6) {
-    place.transform = {scale[0], 0, tie[3] - tie[0] * scale[0], 0, -scale[1], tie[4] + tie[1] * scale[1]};
+    place.transform = {scale[0], 0,         tie[3] - tie[0] * scale[0],
+                       0,        -scale[1], tie[4] + tie[1] * scale[1]};
   } else {
     return std::nullopt;
   }

@@ -40,7 +40,8 @@ struct Scale {
       highest = std::max(highest, value);
       fits = fits && value == std::floor(value);
     }
-    if (!std::isfinite(highest - lowest)) throw DecodeError("it has no finite numbers, or infinite ones");
+    if (!std::isfinite(highest - lowest))
+      throw DecodeError("it has no finite numbers, or infinite ones");
     if ((fits && lowest >= 0 && highest <= 65535) || lowest == highest) {
       first = lowest >= 0 && fits && highest <= 65535 ? 0 : lowest;
       return;
@@ -141,7 +142,8 @@ Pixels levels_of(Pixels image, const GreyChoice& choice, Channel& channel, std::
   }
   if (image.has_opacity()) {
     warning = opacity_warning<T>(image, choice);
-    const Backdrop backdrop = choice.backdrop.value_or(image.shows_black ? Backdrop::black : Backdrop::as_stored);
+    const Backdrop backdrop =
+        choice.backdrop.value_or(image.shows_black ? Backdrop::black : Backdrop::as_stored);
     if (!choice.opacity && backdrop != Backdrop::as_stored) flatten<T>(image, backdrop);
   }
   return channel_of<T>(std::move(image), choice, channel);
@@ -155,7 +157,8 @@ Pixels cropped(Pixels image, const Crop& crop) {
   }
   Pixels part = make_pixels(crop.width, crop.height, 1, image.kind);
   for (Index y = 0; y < crop.height; ++y) {
-    std::copy_n(image.row(crop.y + y) + crop.x * sample_bytes(image.kind), part.row_bytes(), part.row(y));
+    std::copy_n(image.row(crop.y + y) + crop.x * sample_bytes(image.kind), part.row_bytes(),
+                part.row(y));
   }
   return part;
 }
@@ -225,8 +228,9 @@ GreyImage in_bytes(GreyImage image) {
   image.bytes = ByteImage(image.width, image.height);
   for (Index y = 0; y < image.height; ++y) {
     const std::uint16_t* const from = image.deep_view().row(y);
-    std::transform(from, from + image.width, image.bytes.view().row(y),
-                   [shift](std::uint16_t level) { return static_cast<std::uint8_t>(level >> shift); });
+    std::transform(
+        from, from + image.width, image.bytes.view().row(y),
+        [shift](std::uint16_t level) { return static_cast<std::uint8_t>(level >> shift); });
   }
   image.deep.reset();
   image.step *= 1 << shift;

@@ -23,7 +23,7 @@ enum class Backdrop : std::uint8_t { as_stored, black, white };
 /// What of an image becomes its grey levels.
 struct GreyChoice {
   Channel channel = Channel::grey;
-  bool opacity = false;  // instead of a channel
+  bool opacity = false;                             // instead of a channel
   std::optional<Backdrop> backdrop = std::nullopt;  // unset: by the format
   Crop crop = {};
   double blur = 0;  // standard deviation of a Gaussian filter, in pixels; 0: none
@@ -31,7 +31,7 @@ struct GreyChoice {
 
 /// Grey levels, and what they stand for in the file: first + step * level.
 struct GreyImage {
-  ByteImage bytes;                               // of 8 bits
+  ByteImage bytes;                                // of 8 bits
   detail::AlignedArray<std::uint16_t> deep = {};  // or of 16, without gaps
   Index width = 0;
   Index height = 0;

@@ -21,7 +21,8 @@ LabelPixels labels_of(const Pixels& image, const std::string& path) {
   if (std::any_of(all, all + image.samples(), [](T v) { return v > std::uint32_t{INT32_MAX}; })) {
     cannot_read(path, "labels go up to 2^31 - 1, and it has greater ones");
   }
-  return {image.width, image.height, std::vector<std::int32_t>(all, all + image.samples()), image.place};
+  return {image.width, image.height, std::vector<std::int32_t>(all, all + image.samples()),
+          image.place};
 }
 
 }  // namespace
@@ -32,12 +33,16 @@ LabelPixels read_labels(const FileBytes& file) {
   if (image.channels != 1) {
     cannot_read(path, fmt::format("labels are one channel, and it has {}", image.channels));
   }
-  if (image.kind == SampleKind::f32) cannot_read(path, "labels are whole numbers, and it has real ones");
+  if (image.kind == SampleKind::f32)
+    cannot_read(path, "labels are whole numbers, and it has real ones");
   if (image.first < 0) cannot_read(path, "labels are not negative, and it has negative numbers");
   switch (image.kind) {
-    case SampleKind::u16: return labels_of<std::uint16_t>(image, path);
-    case SampleKind::u32: return labels_of<std::uint32_t>(image, path);
-    default: return labels_of<std::uint8_t>(image, path);
+    case SampleKind::u16:
+      return labels_of<std::uint16_t>(image, path);
+    case SampleKind::u32:
+      return labels_of<std::uint32_t>(image, path);
+    default:
+      return labels_of<std::uint8_t>(image, path);
   }
 }
 
@@ -127,7 +132,8 @@ void check_overlay_extension(const std::string& path) {
 
 void check_real_extension(const std::string& path) {
   if (path != kStandardStream && is_tiff_name(extension_of(path))) return;
-  throw ExtensionError("cannot write '" + path + "': of real numbers only .tif and .tiff are known");
+  throw ExtensionError("cannot write '" + path +
+                       "': of real numbers only .tif and .tiff are known");
 }
 
 void write_bytes(const std::string& path, std::string_view bytes) {
@@ -171,12 +177,16 @@ void write_labels(const std::string& path, const ConstLabelView& labels) {
     for (Index x = 0; x < labels.width; ++x) greatest = std::max(greatest, labels.row(y)[x]);
   }
   if (greatest > 65535) {
-    if (is_tiff_name(extension_of(path))) return write_image(path, samples_of(labels, SampleKind::u32));
-    cannot_write(path, fmt::format("it has labels up to {}, and its format holds 65535; .tif holds more", greatest));
+    if (is_tiff_name(extension_of(path)))
+      return write_image(path, samples_of(labels, SampleKind::u32));
+    cannot_write(path,
+                 fmt::format("it has labels up to {}, and its format holds 65535; .tif holds more",
+                             greatest));
   }
   std::vector<std::uint16_t> deep;
   deep.reserve(static_cast<std::size_t>(labels.width * labels.height));
-  for (Index y = 0; y < labels.height; ++y) deep.insert(deep.end(), labels.row(y), labels.row(y) + labels.width);
+  for (Index y = 0; y < labels.height; ++y)
+    deep.insert(deep.end(), labels.row(y), labels.row(y) + labels.width);
   write_deep(path, {deep.data(), labels.width, labels.height});
 }
 

@@ -1,6 +1,6 @@
+#include <array>
 #include <csetjmp>
 #include <cstdio>  // needed by jpeglib.h
-#include <array>
 #include <new>
 #include <vector>
 
@@ -63,7 +63,7 @@ class JpegReader {
     const Index width = jpeg_.image_width, height = jpeg_.image_height;
     check_claim(width, height, width * height / pixels_of_a_byte, size_);
     const bool is_cmyk = jpeg_.num_components == 4;
-    jpeg_.out_color_space = is_cmyk                    ? JCS_CMYK
+    jpeg_.out_color_space = is_cmyk                     ? JCS_CMYK
                             : jpeg_.num_components == 1 ? JCS_GRAYSCALE
                                                         : JCS_RGB;
     Pixels image = make_pixels(width, height, jpeg_.num_components == 1 ? 1 : 3, SampleKind::u8);
@@ -124,7 +124,8 @@ class JpegReader {
   }
 
   [[nodiscard]] int orientation() const {
-    for (const jpeg_marker_struct* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
+    for (const jpeg_marker_struct* marker = jpeg_.marker_list; marker != nullptr;
+         marker = marker->next) {
       const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
       if (data.starts_with(std::string_view("Exif\0\0", 6))) return exif_orientation(data);
     }

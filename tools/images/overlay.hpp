@@ -26,7 +26,7 @@ struct OverlayDisc {
 };
 
 struct OverlayText {
-  Pixel corner;  // lower left; moved so far that all of the text lies in the image
+  Pixel corner;      // lower left; moved so far that all of the text lies in the image
   std::string text;  // digits
   OverlayColour colour;
 };

@@ -12,7 +12,9 @@
 namespace thinbench {
 
 Index bytes_of_rows(Index width, Index height, Index bits_per_pixel) {
-  const auto product = [](Index a, Index b) { return b > 0 && a > INT64_MAX / b ? INT64_MAX : a * b; };
+  const auto product = [](Index a, Index b) {
+    return b > 0 && a > INT64_MAX / b ? INT64_MAX : a * b;
+  };
   const Index bits = product(width, bits_per_pixel);
   return product(bits / 8 + (bits % 8 != 0 ? 1 : 0), height);
 }
@@ -26,8 +28,10 @@ Index allowed_pixels() {
   Index pixels = 0;
   const char* const end = text + std::strlen(text);
   const auto result = std::from_chars(text, end, pixels);
-  if (result.ec == std::errc() && result.ptr == end && pixels >= 1) return std::min(pixels, kMaxImagePixels);
-  throw DecodeError(fmt::format("{}: expected a number of pixels, got '{}'", kMaxPixelsVariable, text));
+  if (result.ec == std::errc() && result.ptr == end && pixels >= 1)
+    return std::min(pixels, kMaxImagePixels);
+  throw DecodeError(
+      fmt::format("{}: expected a number of pixels, got '{}'", kMaxPixelsVariable, text));
 }
 
 }  // namespace
@@ -40,9 +44,9 @@ void check_size(Index width, Index height, SampleKind kind) {
   }
   const Index allowed = is_packed ? INT64_MAX : allowed_pixels();
   if (height <= allowed / width) return;
-  throw DecodeError(allowed == kMaxImagePixels
-                        ? std::string("it has more than 2^31 pixels")
-                        : fmt::format("it has more pixels than {}={} allows", kMaxPixelsVariable, allowed));
+  throw DecodeError(allowed == kMaxImagePixels ? std::string("it has more than 2^31 pixels")
+                                               : fmt::format("it has more pixels than {}={} allows",
+                                                             kMaxPixelsVariable, allowed));
 }
 
 Pixels make_pixels(Index width, Index height, int channels, SampleKind kind) {
@@ -104,14 +108,29 @@ Pixels turned(Pixels image, int orientation) {
                           orientation < 5 ? image.height : image.width, image.channels, image.kind);
   const Steps steps = steps_of(image.width, image.height, orientation);
   switch (image.channels * sample_bytes(image.kind)) {
-    case 1: turn<1>(image, to, steps); break;
-    case 2: turn<2>(image, to, steps); break;
-    case 3: turn<3>(image, to, steps); break;
-    case 4: turn<4>(image, to, steps); break;
-    case 6: turn<6>(image, to, steps); break;
-    case 8: turn<8>(image, to, steps); break;
-    case 12: turn<12>(image, to, steps); break;
-    default: turn<16>(image, to, steps);
+    case 1:
+      turn<1>(image, to, steps);
+      break;
+    case 2:
+      turn<2>(image, to, steps);
+      break;
+    case 3:
+      turn<3>(image, to, steps);
+      break;
+    case 4:
+      turn<4>(image, to, steps);
+      break;
+    case 6:
+      turn<6>(image, to, steps);
+      break;
+    case 8:
+      turn<8>(image, to, steps);
+      break;
+    case 12:
+      turn<12>(image, to, steps);
+      break;
+    default:
+      turn<16>(image, to, steps);
   }
   std::swap(image.bytes, to.bytes);
   std::swap(image.width, to.width);
@@ -158,10 +177,14 @@ template <class T>
 void look_up(const Pixels& indices, std::vector<PaletteColour> palette, const Pixels& to) {
   palette.resize(std::size_t{std::numeric_limits<T>::max()} + 1, {0, 0, 0, 255});
   switch (to.channels) {
-    case 1: return look_up<1, T>(indices, palette, to);
-    case 2: return look_up<2, T>(indices, palette, to);
-    case 3: return look_up<3, T>(indices, palette, to);
-    default: look_up<4, T>(indices, palette, to);
+    case 1:
+      return look_up<1, T>(indices, palette, to);
+    case 2:
+      return look_up<2, T>(indices, palette, to);
+    case 3:
+      return look_up<3, T>(indices, palette, to);
+    default:
+      look_up<4, T>(indices, palette, to);
   }
 }
 

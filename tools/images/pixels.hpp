@@ -29,8 +29,8 @@ enum class SampleKind : std::uint8_t {
   return kind <= SampleKind::u8 ? 1 : kind == SampleKind::u16 ? 2 : 4;
 }
 
-/// Where the pixels of a map lie: x' = a x + b y + c, y' = d x + e y + f from the corner of the first
-/// pixel, and the number of the coordinate system, 0 if unknown.
+/// Where the pixels of a map lie: x' = a x + b y + c, y' = d x + e y + f from the corner of the
+/// first pixel, and the number of the coordinate system, 0 if unknown.
 struct GeoReference {
   std::array<double, 6> transform = {};
   int epsg = 0;
@@ -43,10 +43,10 @@ struct Pixels {
   int channels = 1;  // 1: grey, 3: red, green, blue; 2 and 4: and opacity
   SampleKind kind = SampleKind::u8;
   detail::AlignedArray<std::uint8_t> bytes = nullptr;
-  double first = 0;                    // what a sample of 0 stands for: signed samples begin lower
-  bool is_premultiplied = false;       // colours are multiplied by the opacity
-  bool shows_black = false;            // where transparent, unless the user wants otherwise
-  std::string warning = {};            // of the decoder
+  double first = 0;               // what a sample of 0 stands for: signed samples begin lower
+  bool is_premultiplied = false;  // colours are multiplied by the opacity
+  bool shows_black = false;       // where transparent, unless the user wants otherwise
+  std::string warning = {};       // of the decoder
   std::optional<GeoReference> place = std::nullopt;
 
   [[nodiscard]] bool has_opacity() const { return channels % 2 == 0; }
@@ -92,6 +92,7 @@ struct PaletteColour {
 
 /// What indices of 8 or 16 bits stand for: grey where all colours are, with opacity where one has
 /// it. An index behind the end is black.
-[[nodiscard]] Pixels through_palette(const Pixels& indices, const std::vector<PaletteColour>& palette);
+[[nodiscard]] Pixels through_palette(const Pixels& indices,
+                                     const std::vector<PaletteColour>& palette);
 
 }  // namespace thinbench

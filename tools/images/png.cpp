@@ -69,7 +69,8 @@ class PngReader {
 
   Pixels decode(const Decoding& request, std::size_t size) {
     check(succeeds(png_, [this] { png_read_info(png_, info_); }));
-    const Index width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
+    const Index width = png_get_image_width(png_, info_),
+                height = png_get_image_height(png_, info_);
     const int bits = png_get_bit_depth(png_, info_) * png_get_channels(png_, info_);
     constexpr Index deflate_factor = 1032;  // bytes that one byte can stand for, at most
     check_claim(width, height, bytes_of_rows(width, height, bits) / deflate_factor, size);

@@ -1,3 +1,5 @@
+#include "images/pnm.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -6,8 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "images/pnm.hpp"
 
 namespace thinbench {
 namespace {
@@ -110,7 +110,8 @@ void read_bits(std::string_view bytes, const Pixels& image, bool is_text, bool a
   for (Index y = 0; y < image.height; ++y) {
     const char* const from = bytes.data() + (is_text ? 0 : y * packed_row_bytes(image.width));
     for (Index x = 0; x < image.width; ++x) {
-      const std::optional<bool> bit = is_text ? digits.next_bit() : (from[x / 8] >> (7 - x % 8) & 1) != 0;
+      const std::optional<bool> bit =
+          is_text ? digits.next_bit() : (from[x / 8] >> (7 - x % 8) & 1) != 0;
       if (!bit) throw DecodeError("the file is truncated");
       image.row(y)[x] = level(*bit);
     }
@@ -124,8 +125,7 @@ void read_samples(std::string_view bytes, const Pixels& image, bool is_text) {
   if (!is_text) {
     bytes.copy(reinterpret_cast<char*>(to), count * sizeof(T));
     if constexpr (sizeof(T) == 2 && std::endian::native == std::endian::little) {
-      std::transform(to, to + count, to,
-                     [](T v) { return static_cast<T>(v << 8 | v >> 8); });
+      std::transform(to, to + count, to, [](T v) { return static_cast<T>(v << 8 | v >> 8); });
     }
     return;
   }
@@ -141,7 +141,8 @@ void read_samples(std::string_view bytes, const Pixels& image, bool is_text) {
 void scale(const Pixels& image, Index maximum) {
   std::array<std::uint8_t, 256> table{};
   for (Index v = 0; v < 256; ++v) {
-    table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(255 * std::min(v, maximum) / maximum);
+    table[static_cast<std::size_t>(v)] =
+        static_cast<std::uint8_t>(255 * std::min(v, maximum) / maximum);
   }
   std::uint8_t* const all = image.bytes.get();
   std::transform(all, all + image.samples(), all, [&](std::uint8_t v) { return table[v]; });
@@ -176,7 +177,8 @@ Pixels decode_pnm(std::string_view bytes, const Decoding& request) {
 
 PackedFormat pbm_format(const FileBytes& file) {
   const std::string& name = file.name();
-  if (!file.text().starts_with("P4")) cannot_read(name, "it is not a binary PBM file (P4), as OUT requires");
+  if (!file.text().starts_with("P4"))
+    cannot_read(name, "it is not a binary PBM file (P4), as OUT requires");
   Numbers numbers(file.text());
   const std::optional<Index> width = numbers.next(), height = numbers.next();
   const std::size_t end = numbers.end_of_header();
@@ -201,9 +203,9 @@ std::string with_header(const std::string& header, Index row_bytes, Index height
 
 std::string encode_pgm(const Samples& image) {
   const bool is_deep = image.kind == SampleKind::u16;
-  std::string bytes = with_header(fmt::format("P5\n{} {}\n{}\n", image.width, image.height,
-                                              is_deep ? 65535 : 255),
-                                  image.row_bytes(), image.height);
+  std::string bytes =
+      with_header(fmt::format("P5\n{} {}\n{}\n", image.width, image.height, is_deep ? 65535 : 255),
+                  image.row_bytes(), image.height);
   for (Index y = 0; y < image.height; ++y) {
     const auto* const row = reinterpret_cast<const char*>(image.row(y));
     const auto start = static_cast<std::ptrdiff_t>(bytes.size());

@@ -46,7 +46,9 @@ constexpr OverlayColour kHoleColour = {255, 40, 40};
 class BorderFollower {
  public:
   explicit BorderFollower(const ConstImageView& objects)
-      : width_(objects.width), height_(objects.height), stride_(objects.width + 2),
+      : width_(objects.width),
+        height_(objects.height),
+        stride_(objects.width + 2),
         marks_(static_cast<std::size_t>(stride_ * (objects.height + 2)), kBackground),
         steps_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1} {
     for (Index y = 0; y < height_; ++y) {
@@ -63,7 +65,8 @@ class BorderFollower {
       for (Index x = 0; x < width_; ++x) {
         const std::size_t here = at(x, y);
         if (marks_[here] == kBackground) continue;
-        if (marks_[here] == kUnseen && marks_[here - 1] == kBackground) outer(followed(x, y, kWest));
+        if (marks_[here] == kUnseen && marks_[here - 1] == kBackground)
+          outer(followed(x, y, kWest));
         const bool begins_hole = marks_[here] != kSeenOnTheRight && marks_[here + 1] == kBackground;
         if (begins_hole) inner(followed(x, y, kEast));
       }
@@ -133,7 +136,8 @@ Outlines outlines_of(const ConstImageView& objects, const KeptRegions& kept) {
   std::size_t object = 0, hole = 0;
   const auto keep = [](const std::vector<std::size_t>& positions, std::size_t& number, Line line,
                        std::vector<Line>& to) {
-    if (to.size() < positions.size() && positions[to.size()] == number) to.push_back(std::move(line));
+    if (to.size() < positions.size() && positions[to.size()] == number)
+      to.push_back(std::move(line));
     ++number;
   };
   BorderFollower(objects).follow_all(
@@ -147,7 +151,8 @@ Pixel size_of(const Region& region) {
 }
 
 Pixel centre_of(const Region& region) {
-  return {static_cast<int>(std::lrint(region.centre_x())), static_cast<int>(std::lrint(region.centre_y()))};
+  return {static_cast<int>(std::lrint(region.centre_x())),
+          static_cast<int>(std::lrint(region.centre_y()))};
 }
 
 /// Whether a region is so large that numbers of its like leave the image readable.

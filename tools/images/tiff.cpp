@@ -28,12 +28,13 @@ struct Layout {
   int opacity;                      // the kind of the first extra sample
 
   [[nodiscard]] int colours() const {
-    return photometric == PHOTOMETRIC_SEPARATED                                      ? 4
+    return photometric == PHOTOMETRIC_SEPARATED                                 ? 4
            : photometric == PHOTOMETRIC_RGB || photometric == PHOTOMETRIC_YCBCR ? 3
-                                                                                  : 1;
+                                                                                : 1;
   }
   [[nodiscard]] bool has_opacity() const {
-    return samples > colours() && (opacity == EXTRASAMPLE_ASSOCALPHA || opacity == EXTRASAMPLE_UNASSALPHA);
+    return samples > colours() &&
+           (opacity == EXTRASAMPLE_ASSOCALPHA || opacity == EXTRASAMPLE_UNASSALPHA);
   }
   [[nodiscard]] int channels() const { return colours() + (has_opacity() ? 1 : 0); }
   /// Samples of a pixel in one block.
@@ -53,15 +54,17 @@ Layout layout_of(const TiffHandle& tiff) {
   layout.samples = tiff.number(TIFFTAG_SAMPLESPERPIXEL, 1);
   layout.format = tiff.number(TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   if (layout.format == SAMPLEFORMAT_VOID) layout.format = SAMPLEFORMAT_UINT;
-  layout.photometric =
-      tiff.number(TIFFTAG_PHOTOMETRIC, layout.samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
+  layout.photometric = tiff.number(TIFFTAG_PHOTOMETRIC,
+                                   layout.samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
   layout.compression = tiff.number(TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-  layout.is_planar = tiff.number(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) == PLANARCONFIG_SEPARATE &&
-                     layout.samples > 1;
+  layout.is_planar =
+      tiff.number(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) == PLANARCONFIG_SEPARATE &&
+      layout.samples > 1;
   layout.is_tiled = TIFFIsTiled(tiff.get()) != 0;
   layout.block_width = layout.is_tiled ? tiff.long_number(TIFFTAG_TILEWIDTH) : layout.width;
-  layout.block_height = layout.is_tiled ? tiff.long_number(TIFFTAG_TILELENGTH)
-                                        : std::min(tiff.long_number(TIFFTAG_ROWSPERSTRIP), layout.height);
+  layout.block_height = layout.is_tiled
+                            ? tiff.long_number(TIFFTAG_TILELENGTH)
+                            : std::min(tiff.long_number(TIFFTAG_ROWSPERSTRIP), layout.height);
   std::uint16_t count = 0;
   std::uint16_t* kinds = nullptr;
   TIFFGetField(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
@@ -126,23 +129,33 @@ void check_layout(const Layout& layout, std::size_t size) {
 
 void check_samples(const Layout& layout) {
   const auto [bits, is_real] = std::pair(layout.bits, layout.is_real());
-  const bool is_known = is_real             ? bits == 32 || bits == 64
+  const bool is_known = is_real              ? bits == 32 || bits == 64
                         : layout.is_signed() ? bits == 8 || bits == 16 || bits == 32
-                        : layout.format == SAMPLEFORMAT_UINT && ((bits >= 1 && bits <= 16) || bits == 32);
+                                             : layout.format == SAMPLEFORMAT_UINT &&
+                                                   ((bits >= 1 && bits <= 16) || bits == 32);
   if (!is_known) {
-    throw DecodeError(fmt::format("its samples are {}s of {} bits; known are integers of 1 to 16 and of 32 bits, and "
-                                  "real numbers of 32 and 64",
-                                  is_real ? "real number" : layout.format <= SAMPLEFORMAT_INT ? "integer" : "complex number", bits));
+    throw DecodeError(fmt::format(
+        "its samples are {}s of {} bits; known are integers of 1 to 16 and of 32 bits, and "
+        "real numbers of 32 and 64",
+        is_real                             ? "real number"
+        : layout.format <= SAMPLEFORMAT_INT ? "integer"
+                                            : "complex number",
+        bits));
   }
   if (layout.samples < layout.colours()) {
-    throw DecodeError(fmt::format("its pixels have {} samples, too few for their kind of colours", layout.samples));
+    throw DecodeError(fmt::format("its pixels have {} samples, too few for their kind of colours",
+                                  layout.samples));
   }
   const bool is_grey_or_colour = layout.photometric <= PHOTOMETRIC_YCBCR;
-  if (!is_grey_or_colour) throw DecodeError(fmt::format("its photometric interpretation {} is not supported", layout.photometric));
-  const bool is_plain = layout.photometric == PHOTOMETRIC_MINISBLACK || layout.photometric == PHOTOMETRIC_RGB;
+  if (!is_grey_or_colour)
+    throw DecodeError(
+        fmt::format("its photometric interpretation {} is not supported", layout.photometric));
+  const bool is_plain =
+      layout.photometric == PHOTOMETRIC_MINISBLACK || layout.photometric == PHOTOMETRIC_RGB;
   const bool has_inks = layout.photometric == PHOTOMETRIC_SEPARATED;
   if ((layout.bits > 16 && !is_plain) || (has_inks && layout.bits > 8 && layout.bits < 16)) {
-    throw DecodeError(fmt::format("its photometric interpretation {} has {} bits", layout.photometric, layout.bits));
+    throw DecodeError(fmt::format("its photometric interpretation {} has {} bits",
+                                  layout.photometric, layout.bits));
   }
 }
 
@@ -156,8 +169,11 @@ void check_blocks(const TiffHandle& tiff, const Layout& layout) {
     if (offset > size || bytes > size - offset) throw DecodeError("the file is truncated");
     if (layout.is_tiled || layout.is_planar || needs_conversion(layout)) continue;
     const Index rows = std::min(layout.block_height, layout.height - i * layout.block_height);
-    if (static_cast<Index>(bytes) >= min_bytes(layout.compression, rows * layout.block_row_bytes(), rows)) continue;
-    throw DecodeError(fmt::format("its strips are too short for {} x {} pixels", layout.width, layout.height));
+    if (static_cast<Index>(bytes) >=
+        min_bytes(layout.compression, rows * layout.block_row_bytes(), rows))
+      continue;
+    throw DecodeError(
+        fmt::format("its strips are too short for {} x {} pixels", layout.width, layout.height));
   }
 }
 
@@ -193,7 +209,8 @@ class BlockReader {
     const int planes = layout_.is_planar ? image.channels : 1;
     for (int plane = 0; plane < planes; ++plane) {
       for (Index y = 0; y < layout_.height; y += layout_.block_height) {
-        for (Index x = 0; x < layout_.width; x += layout_.block_width) read_block(image, x, y, plane);
+        for (Index x = 0; x < layout_.width; x += layout_.block_width)
+          read_block(image, x, y, plane);
       }
     }
     image.warning = warning_;
@@ -202,18 +219,27 @@ class BlockReader {
  private:
   void read_block(const Pixels& image, Index x, Index y, int plane) {
     const Index rows = std::min(layout_.block_height, layout_.height - y);
-    const Index bytes = (layout_.is_tiled ? layout_.block_height : rows) * layout_.block_row_bytes();
+    const Index bytes =
+        (layout_.is_tiled ? layout_.block_height : rows) * layout_.block_row_bytes();
     if (is_as_stored(image)) return decode(image.row(y), bytes, x, y, plane);
-    if (buffer_.empty()) buffer_.resize(static_cast<std::size_t>(layout_.block_height * layout_.block_row_bytes()));
+    if (buffer_.empty())
+      buffer_.resize(static_cast<std::size_t>(layout_.block_height * layout_.block_row_bytes()));
     decode(buffer_.data(), bytes, x, y, plane);
     const Index columns = std::min(layout_.block_width, layout_.width - x);
     for (Index row = 0; row < rows; ++row) {
       const std::uint8_t* const from = buffer_.data() + row * layout_.block_row_bytes();
       switch (image.kind) {
-        case SampleKind::u8: place<std::uint8_t>(from, columns, image, x, y + row, plane); break;
-        case SampleKind::u16: place<std::uint16_t>(from, columns, image, x, y + row, plane); break;
-        case SampleKind::u32: place<std::uint32_t>(from, columns, image, x, y + row, plane); break;
-        default: place<float>(from, columns, image, x, y + row, plane);
+        case SampleKind::u8:
+          place<std::uint8_t>(from, columns, image, x, y + row, plane);
+          break;
+        case SampleKind::u16:
+          place<std::uint16_t>(from, columns, image, x, y + row, plane);
+          break;
+        case SampleKind::u32:
+          place<std::uint32_t>(from, columns, image, x, y + row, plane);
+          break;
+        default:
+          place<float>(from, columns, image, x, y + row, plane);
       }
     }
   }
@@ -243,7 +269,8 @@ class BlockReader {
   }
 
   template <class T>
-  void place(const std::uint8_t* from, Index columns, const Pixels& image, Index x, Index y, int plane) {
+  void place(const std::uint8_t* from, Index columns, const Pixels& image, Index x, Index y,
+             int plane) {
     const Index together = layout_.samples_together(), channels = image.channels;
     row_.resize(static_cast<std::size_t>(columns * together) * sizeof(T));
     T* const samples = reinterpret_cast<T*>(row_.data());
@@ -275,17 +302,20 @@ Pixels converted(const TiffHandle& tiff, const Layout& layout) {
   }
   TIFFSetField(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   Pixels image = make_pixels(layout.width, layout.height, 3, SampleKind::u8);
-  std::vector<std::uint32_t> block(static_cast<std::size_t>(layout.block_width * layout.block_height));
+  std::vector<std::uint32_t> block(
+      static_cast<std::size_t>(layout.block_width * layout.block_height));
   for (Index y = 0; y < layout.height; y += layout.block_height) {
     for (Index x = 0; x < layout.width; x += layout.block_width) {
       const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
-      const int read = layout.is_tiled ? TIFFReadRGBATileExt(tiff.get(), column, row, block.data(), 1)
-                                       : TIFFReadRGBAStripExt(tiff.get(), row, block.data(), 1);
+      const int read = layout.is_tiled
+                           ? TIFFReadRGBATileExt(tiff.get(), column, row, block.data(), 1)
+                           : TIFFReadRGBAStripExt(tiff.get(), row, block.data(), 1);
       if (read != 1 || !tiff.complaint().empty()) {
         throw DecodeError(tiff.complaint().empty() ? "it is damaged" : tiff.complaint());
       }
       const Index rows = std::min(layout.block_height, layout.height - y);
-      const Index last = (layout.is_tiled ? layout.block_height : rows) - 1;  // the lowest row is first
+      const Index last =
+          (layout.is_tiled ? layout.block_height : rows) - 1;  // the lowest row is first
       for (Index i = 0; i < rows; ++i) {
         const std::uint32_t* from = block.data() + (last - i) * layout.block_width;
         std::uint8_t* to = image.row(y + i) + 3 * x;
@@ -327,11 +357,14 @@ std::vector<PaletteColour> palette_of(const TiffHandle& tiff, int bits) {
   const std::size_t count = std::size_t{1} << bits;
   bool is_of_8_bits = true;  // as some writers have it
   for (const std::uint16_t* const map : maps) {
-    is_of_8_bits = is_of_8_bits && std::all_of(map, map + count, [](std::uint16_t v) { return v < 256; });
+    is_of_8_bits =
+        is_of_8_bits && std::all_of(map, map + count, [](std::uint16_t v) { return v < 256; });
   }
   std::vector<PaletteColour> palette;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto level = [&](std::size_t k) { return static_cast<std::uint8_t>(is_of_8_bits ? maps[k][i] : maps[k][i] >> 8); };
+    const auto level = [&](std::size_t k) {
+      return static_cast<std::uint8_t>(is_of_8_bits ? maps[k][i] : maps[k][i] >> 8);
+    };
     palette.push_back({level(0), level(1), level(2), 255});
   }
   return palette;
@@ -356,23 +389,33 @@ Pixels without_inks(const Pixels& inks) {
 
 /// What the stored samples mean.
 Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, bool as_stored) {
-  if (layout.is_signed() && image.kind == SampleKind::u8) make_unsigned<std::uint8_t, std::int8_t>(image);
-  if (layout.is_signed() && image.kind == SampleKind::u16) make_unsigned<std::uint16_t, std::int16_t>(image);
-  if (layout.is_signed() && image.kind == SampleKind::u32) make_unsigned<std::uint32_t, std::int32_t>(image);
+  if (layout.is_signed() && image.kind == SampleKind::u8)
+    make_unsigned<std::uint8_t, std::int8_t>(image);
+  if (layout.is_signed() && image.kind == SampleKind::u16)
+    make_unsigned<std::uint16_t, std::int16_t>(image);
+  if (layout.is_signed() && image.kind == SampleKind::u32)
+    make_unsigned<std::uint32_t, std::int32_t>(image);
   if (layout.photometric == kMinIsWhite) {
     if (as_stored) throw DecodeError("labels need 0 as black, and its 0 is white");
     const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << layout.bits) - 1);
-    if (image.kind == SampleKind::u8) for_each_sample<std::uint8_t>(image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(max - v); });
-    if (image.kind == SampleKind::u16) for_each_sample<std::uint16_t>(image, [=](std::uint16_t v) { return static_cast<std::uint16_t>(max - v); });
+    if (image.kind == SampleKind::u8)
+      for_each_sample<std::uint8_t>(
+          image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(max - v); });
+    if (image.kind == SampleKind::u16)
+      for_each_sample<std::uint16_t>(
+          image, [=](std::uint16_t v) { return static_cast<std::uint16_t>(max - v); });
   }
   if (as_stored) return image;
-  if (layout.photometric == PHOTOMETRIC_PALETTE) return through_palette(image, palette_of(tiff, layout.bits));
+  if (layout.photometric == PHOTOMETRIC_PALETTE)
+    return through_palette(image, palette_of(tiff, layout.bits));
   if (layout.bits < 8) {
     const int max = (1 << layout.bits) - 1;
-    for_each_sample<std::uint8_t>(image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(v * 255 / max); });
+    for_each_sample<std::uint8_t>(
+        image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(v * 255 / max); });
   }
   if (layout.photometric != PHOTOMETRIC_SEPARATED) return image;
-  return image.kind == SampleKind::u8 ? without_inks<std::uint8_t>(image) : without_inks<std::uint16_t>(image);
+  return image.kind == SampleKind::u8 ? without_inks<std::uint8_t>(image)
+                                      : without_inks<std::uint16_t>(image);
 }
 
 SampleKind kind_of(const Layout& layout) {
@@ -406,7 +449,8 @@ bool is_tiff(std::string_view bytes) {
 
 int count_tiff_pages(std::string_view bytes) {
   const TiffHandle tiff(bytes);
-  return tiff.get() == nullptr ? 1 : std::max(1, static_cast<int>(TIFFNumberOfDirectories(tiff.get())));
+  return tiff.get() == nullptr ? 1
+                               : std::max(1, static_cast<int>(TIFFNumberOfDirectories(tiff.get())));
 }
 
 Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
@@ -435,7 +479,8 @@ std::optional<PackedPage> decode_packed_tiff(const FileBytes& file) {
     TiffHandle tiff(file.text());
     open_page(tiff, 0);
     const Layout layout = layout_of(tiff);
-    const bool is_upright = tiff.number(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) == ORIENTATION_TOPLEFT;
+    const bool is_upright =
+        tiff.number(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) == ORIENTATION_TOPLEFT;
     if (layout.is_tiled || layout.bits != 1 || layout.samples != 1 || !is_upright ||
         layout.photometric > PHOTOMETRIC_MINISBLACK) {
       return std::nullopt;
@@ -445,7 +490,8 @@ std::optional<PackedPage> decode_packed_tiff(const FileBytes& file) {
     page.format = {layout.compression,
                    tiff.number(TIFFTAG_RESOLUTIONUNIT, 2),
                    {tiff.real_number(TIFFTAG_XRESOLUTION), tiff.real_number(TIFFTAG_YRESOLUTION)}};
-    const PackedView bits(page.pixels.bytes.get(), layout.width, layout.height, BitOrder::msb_first);
+    const PackedView bits(page.pixels.bytes.get(), layout.width, layout.height,
+                          BitOrder::msb_first);
     invert(bits);
     if (layout.photometric == PHOTOMETRIC_MINISBLACK) invert(bits);
     return page;

@@ -37,7 +37,8 @@ struct PackedPage {
 
 /// A file with these pages. Any compression of CCITT becomes that of Group 4, and the old Deflate
 /// the new one. Throws std::bad_alloc.
-[[nodiscard]] std::string encode_tiff(std::span<const Samples> pages, const TiffFormat& format = {});
+[[nodiscard]] std::string encode_tiff(std::span<const Samples> pages,
+                                      const TiffFormat& format = {});
 
 /// Exchanges foreground and background; unused bits become 0.
 void invert(const PackedView& image);

@@ -18,7 +18,8 @@ void set_tags(TIFF* tiff, const Samples& page, const TiffFormat& format) {
   const bool is_bit = page.kind == SampleKind::bit;
   TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(page.width));
   TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(page.height));
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, is_bit ? 1 : static_cast<int>(8 * sample_bytes(page.kind)));
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE,
+               is_bit ? 1 : static_cast<int>(8 * sample_bytes(page.kind)));
   TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, page.channels);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
                page.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
@@ -26,7 +27,8 @@ void set_tags(TIFF* tiff, const Samples& page, const TiffFormat& format) {
   if (page.kind == SampleKind::f32) TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, written_compression(format.compression));
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP,
-               static_cast<std::uint32_t>(std::clamp<Index>(kStripBytes / page.row_bytes(), 1, page.height)));
+               static_cast<std::uint32_t>(
+                   std::clamp<Index>(kStripBytes / page.row_bytes(), 1, page.height)));
   if (format.resolution[0] <= 0 || format.resolution[1] <= 0) return;
   TIFFSetField(tiff, TIFFTAG_XRESOLUTION, static_cast<double>(format.resolution[0]));
   TIFFSetField(tiff, TIFFTAG_YRESOLUTION, static_cast<double>(format.resolution[1]));
@@ -44,7 +46,8 @@ std::string encode_tiff(std::span<const Samples> pages, const TiffFormat& format
     set_tags(file.get(), page, format);
     for (Index y = 0; y < page.height; ++y) {
       auto* const row = const_cast<std::uint8_t*>(page.row(y));  // changed where bytes are swapped
-      if (TIFFWriteScanline(file.get(), row, static_cast<std::uint32_t>(y)) < 0) throw std::bad_alloc();
+      if (TIFFWriteScanline(file.get(), row, static_cast<std::uint32_t>(y)) < 0)
+        throw std::bad_alloc();
     }
     if (pages.size() > 1 && TIFFWriteDirectory(file.get()) != 1) throw std::bad_alloc();
   }

@@ -27,7 +27,8 @@ void TiffHandle::open(const char* mode) {
   }
   TIFFOpenOptionsSetErrorHandlerExtR(options, keep_error, this);
   TIFFOpenOptionsSetWarningHandlerExtR(options, keep_warning, this);
-  tiff_ = TIFFClientOpenExt("image", mode, this, read, write, seek, close, size_of, map, unmap, options);
+  tiff_ = TIFFClientOpenExt("image", mode, this, read, write, seek, close, size_of, map, unmap,
+                            options);
   TIFFOpenOptionsFree(options);
 }
 
@@ -49,7 +50,8 @@ std::string TiffHandle::take() {
 
 tmsize_t TiffHandle::read(thandle_t self, void* to, tmsize_t count) {
   auto& file = *static_cast<TiffHandle*>(self);
-  const std::string_view all = file.is_writing_ ? file.written_ : std::string_view(file.data_, file.size_);
+  const std::string_view all =
+      file.is_writing_ ? file.written_ : std::string_view(file.data_, file.size_);
   const std::size_t start = std::min(file.position_, all.size());
   const std::size_t got = std::min(static_cast<std::size_t>(count), all.size() - start);
   std::memcpy(to, all.data() + start, got);

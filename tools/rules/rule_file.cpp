@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/json_field.hpp"
 #include "support/file_bytes.hpp"
+#include "support/json_field.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/rule_notation.hpp"
@@ -19,7 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Values = std::vector<std::uint8_t>;
-
 
 /// The table that `make` returns; its errors name the field.
 template <class Make>

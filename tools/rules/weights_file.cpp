@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/json_field.hpp"
 #include "support/file_bytes.hpp"
+#include "support/json_field.hpp"
 
 namespace thinbench {
 namespace {

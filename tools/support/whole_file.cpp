@@ -51,7 +51,7 @@ std::string hidden_name_for(const std::filesystem::path& target, bool is_first,
 
 /// What stands in the place of an output. Throws FileError where it cannot be written.
 struct Target {
-  std::string path;  // as given
+  std::string path;   // as given
   std::string place;  // through links
   struct stat old {};
   bool exists = false;
@@ -240,7 +240,8 @@ namespace {
 void replace(const Target& target, const std::string& finished) {
   if (target.exists) {
     if (!can_be_replaced(target.old, finished)) return overwrite(target.place, finished);
-    if (chmod(finished.c_str(), target.old.st_mode & 07777) != 0) cannot_write_by_errno(target.path);
+    if (chmod(finished.c_str(), target.old.st_mode & 07777) != 0)
+      cannot_write_by_errno(target.path);
   }
   if (std::rename(finished.c_str(), target.place.c_str()) != 0) cannot_write_by_errno(target.path);
 }
