@@ -69,8 +69,6 @@ def _run(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="./study", description="Measurements and their report.")
     _commands(parser)
     options = parser.parse_args(arguments)
-    # OpenCV rejects more than 2^30 pixels unless this is set before it is loaded.
-    os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", "2147483648")
     found = options.run(options.parser, options)
     text, status = found if isinstance(found, tuple) else (found, 0)
     _show(text)

@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "harness/families.hpp"
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

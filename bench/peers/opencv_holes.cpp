@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "holes.hpp"
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

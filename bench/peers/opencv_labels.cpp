@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

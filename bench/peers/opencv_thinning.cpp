@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

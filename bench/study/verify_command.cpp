@@ -276,9 +276,7 @@ Command add_verify_command(CLI::App& program) {
   thinbench-study verify --filter 'simd_.*/avx2' --threads 3 --threads 16
 
 Rows are named operation/technique/isa/threads. The last line on standard output is
-"N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.
-
-Images of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)");
+"N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

@@ -33,6 +33,28 @@ ConstColourView colours_of(const thinbench_colours* colours) {
   return {from.data, from.width, from.height, from.stride, from.samples};
 }
 
+ColourView<std::uint16_t> colours_of(const thinbench_colours16* colours) {
+  const auto from = known(colours, thinbench_colours16 THINBENCH_COLOURS16_INIT, "colours");
+  return {from.data, from.width, from.height, from.stride, from.samples};
+}
+
+View<std::uint16_t> levels_of(const thinbench_image16* image, const char* name) {
+  const auto from = known(image, thinbench_image16 THINBENCH_IMAGE16_INIT, name);
+  return {from.data, from.width, from.height, from.stride};
+}
+
+/// Calls binarise(destination) and reports what it chose.
+template <class Binarise>
+thinbench_status binarise_into(const thinbench_image* destination, const char** foreground,
+                               std::int32_t* threshold, const Binarise& binarise) {
+  return guarded([&] {
+    Binarised found;
+    write_to(destination, [&](const ImageView& to) { found = binarise(to); });
+    report(foreground_name(found.foreground).data(), foreground);
+    report(found.threshold, threshold);
+  });
+}
+
 static_assert(THINBENCH_ROWS == 1 << static_cast<int>(Direction::rows));
 static_assert(THINBENCH_COLUMNS == 1 << static_cast<int>(Direction::columns));
 static_assert(THINBENCH_DIAGONALS == 1 << static_cast<int>(Direction::diagonals));
@@ -70,13 +92,19 @@ thinbench_status thinbench_binarise(const thinbench_image* grey, const thinbench
                                     const thinbench_binarisation* request,
                                     const thinbench_execution* execution, const char** foreground,
                                     int32_t* threshold) {
-  return guarded([&] {
-    Binarised found;
-    write_to(destination, [&](const ImageView& to) {
-      found = binarise(image_of(grey), to, binarisation_of(request), execution_of(execution));
-    });
-    report(foreground_name(found.foreground).data(), foreground);
-    report(found.threshold, threshold);
+  return binarise_into(destination, foreground, threshold, [&](const ImageView& to) {
+    return binarise(image_of(grey), to, binarisation_of(request), execution_of(execution));
+  });
+}
+
+thinbench_status thinbench_binarise16(const thinbench_image16* grey,
+                                      const thinbench_image* destination,
+                                      const thinbench_binarisation* request,
+                                      const thinbench_execution* execution, const char** foreground,
+                                      int32_t* threshold) {
+  return binarise_into(destination, foreground, threshold, [&](const ImageView& to) {
+    return binarise16(levels_of(grey, "source"), to, binarisation_of(request),
+                      execution_of(execution));
   });
 }
 
@@ -88,6 +116,20 @@ thinbench_status thinbench_select_channel(const thinbench_colours* colours,
     const auto wanted = enumerator<Channel>("channel", channel, kChannelNames);
     const Channel found = select_channel(colours_of(colours), written(destination).view, wanted,
                                          execution_of(execution));
+    report(channel_name(found).data(), chosen);
+  });
+}
+
+thinbench_status thinbench_select_channel16(const thinbench_colours16* colours,
+                                            const thinbench_image16* destination,
+                                            const char* channel,
+                                            const thinbench_execution* execution,
+                                            const char** chosen) {
+  return guarded([&] {
+    const auto wanted = enumerator<Channel>("channel", channel, kChannelNames);
+    const Channel found =
+        select_channel16(colours_of(colours), levels_of(destination, "destination"), wanted,
+                         execution_of(execution));
     report(channel_name(found).data(), chosen);
   });
 }

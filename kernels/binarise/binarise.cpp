@@ -1,7 +1,9 @@
 #include "thinbench/binarise.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
+#include <type_traits>
 
 #include "binarise/bright_pixels.hpp"
 #include "binarise/histogram.hpp"
@@ -17,28 +19,27 @@ using detail::BrightPixels;
 using detail::LocalMeans;
 using detail::require;
 
-void check(const Binarisation& request) {
+/// `highest`: of all grey levels.
+void check(const Binarisation& request, int highest) {
   detail::require_enumerator(request.foreground, kForegroundNames.size(), "foreground");
-  const auto in = [](int value, int lowest, int highest) {
-    return lowest <= value && value <= highest;
-  };
+  const auto in = [](int value, int least, int most) { return least <= value && value <= most; };
   const int threshold = request.threshold.value_or(0);
-  require(in(threshold, 0, 255),
-          "threshold: expected an integer in [0, 255], got " + std::to_string(threshold));
+  const std::string levels = "expected an integer in [0, " + std::to_string(highest) + "], got ";
+  require(in(threshold, 0, highest), "threshold: " + levels + std::to_string(threshold));
   if (!request.local) return;
   const auto [window, offset] = *request.local;
   require(!request.threshold, "threshold: expected a level or a local threshold, not both");
   require(window == 0 || (in(window, 3, 65535) && window % 2 == 1),
           "window: expected an odd integer in [3, 65535], got " + std::to_string(window));
-  require(in(offset, 0, 255),
-          "offset: expected an integer in [0, 255], got " + std::to_string(offset));
+  require(in(offset, 0, highest), "offset: " + levels + std::to_string(offset));
 }
 
 /// 255 on bright pixels.
-void split(const ConstImageView& grey, const ImageView& to, int threshold, Foreground foreground) {
+template <class T>
+void split(const View<const T>& grey, const ImageView& to, int threshold, Foreground foreground) {
   const int flip = foreground == Foreground::dark ? 255 : 0;
   for (Index y = 0; y < grey.height; ++y) {
-    const std::uint8_t* const from = grey.row(y);
+    const T* const from = grey.row(y);
     std::uint8_t* const row = to.row(y);
     for (Index x = 0; x < grey.width; ++x) {
       row[x] = static_cast<std::uint8_t>((from[x] >= threshold ? 255 : 0) ^ flip);
@@ -46,12 +47,13 @@ void split(const ConstImageView& grey, const ImageView& to, int threshold, Foreg
   }
 }
 
-BrightPixels bright_pixels(const ConstImageView& grey, int threshold,
+template <class T>
+BrightPixels bright_pixels(const View<const T>& grey, int threshold,
                            const detail::Histogram& counts) {
   BrightPixels count;
   count.all = grey.width * grey.height;
-  for (int level = threshold; level < detail::kLevels; ++level) {
-    count.bright += static_cast<Index>(counts[static_cast<std::size_t>(level)]);
+  for (auto level = static_cast<std::size_t>(threshold); level < counts.size(); ++level) {
+    count.bright += static_cast<Index>(counts[level]);
   }
   for (Index y = 0; y < grey.height; ++y) {
     const bool whole_row = y == 0 || y == grey.height - 1;
@@ -65,22 +67,24 @@ BrightPixels bright_pixels(const ConstImageView& grey, int threshold,
 }
 
 /// The side to which pixels deviate farther from their means, by the sum of cubes.
-Foreground deviating_side(const ConstImageView& grey, int window) {
-  LocalMeans means(grey, window);
-  std::int64_t sum_of_cubes = 0;
+template <class T>
+Foreground deviating_side(const View<const T>& grey, int window) {
+  LocalMeans<T> means(grey, window);
+  std::conditional_t<sizeof(T) == 1, std::int64_t, double> sum_of_cubes = 0;
   for (Index y = 0; y < grey.height; ++y) {
     means.visit_row(y, [&](Index, Index level, std::int64_t sum, Index pixels) {
       const std::int64_t deviation = (level * pixels - sum) / pixels;
-      sum_of_cubes += deviation * deviation * deviation;
+      sum_of_cubes += static_cast<decltype(sum_of_cubes)>(deviation * deviation * deviation);
     });
   }
   return sum_of_cubes < 0 ? Foreground::dark : Foreground::bright;
 }
 
 /// Writes the foreground; returns its number of pixels. The images are different ones.
-Index split_by_means(const ConstImageView& grey, const ImageView& to, int window, int offset,
+template <class T>
+Index split_by_means(const View<const T>& grey, const ImageView& to, int window, int offset,
                      Foreground foreground) {
-  LocalMeans means(grey, window);
+  LocalMeans<T> means(grey, window);
   const int sign = foreground == Foreground::dark ? -1 : 1;
   Index found = 0;
   for (Index y = 0; y < grey.height; ++y) {
@@ -94,28 +98,23 @@ Index split_by_means(const ConstImageView& grey, const ImageView& to, int window
   return found;
 }
 
-void binarise_locally(const ConstImageView& grey, const ImageView& destination,
+template <class T>
+void binarise_locally(const View<const T>& grey, const ImageView& destination,
                       const Binarisation& request, Binarised& result) {
   result.window = detail::window_of(*request.local, grey.width, grey.height);
   result.foreground = request.foreground == Foreground::automatic
                           ? deviating_side(grey, result.window)
                           : request.foreground;
-  const detail::ByteImage copy =
-      grey.data == destination.data ? detail::copy_of(grey) : detail::ByteImage();
-  const ConstImageView from = copy.width() > 0 ? copy.view() : grey;
   const Index found =
-      split_by_means(from, destination, result.window, request.local->offset, result.foreground);
+      split_by_means(grey, destination, result.window, request.local->offset, result.foreground);
   result.foreground_share =
       static_cast<double>(found) / static_cast<double>(grey.width * grey.height);
 }
 
-}  // namespace
-
-Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request,
-                   const Execution& execution) {
-  detail::check_views(grey, destination, detail::InPlace::allowed);
-  check(request);
-  detail::require_execution(execution);
+template <class T>
+Binarised binarise_checked(const View<const T>& grey, const ImageView& destination,
+                           const Binarisation& request) {
+  check(request, std::numeric_limits<T>::max());
   Binarised result;
   result.threshold = request.threshold.value_or(1);
   if (request.foreground == Foreground::dark) result.foreground = Foreground::dark;
@@ -136,6 +135,26 @@ Binarised binarise(ConstImageView grey, ImageView destination, const Binarisatio
   result.foreground_share = detail::foreground_share(count, result.foreground);
   split(grey, destination, threshold, result.foreground);
   return result;
+}
+
+}  // namespace
+
+Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request,
+                   const Execution& execution) {
+  detail::check_views(grey, destination, detail::InPlace::allowed);
+  detail::require_execution(execution);
+  if (!request.local || grey.data != destination.data) {
+    return binarise_checked(grey, destination, request);
+  }
+  const detail::ByteImage copy = detail::copy_of(grey);  // windows read what is written
+  return binarise_checked(copy.view(), destination, request);
+}
+
+Binarised binarise16(View<const std::uint16_t> grey, ImageView destination,
+                     const Binarisation& request, const Execution& execution) {
+  detail::check_views(grey, destination, detail::InPlace::rejected);
+  detail::require_execution(execution);
+  return binarise_checked(grey, destination, request);
 }
 
 }  // namespace thinbench

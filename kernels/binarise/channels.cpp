@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <string>
 
 #include "binarise/histogram.hpp"
@@ -13,53 +13,56 @@ namespace {
 
 using detail::require;
 
-std::uint8_t byte(int value) {
-  return static_cast<std::uint8_t>(value);
+template <class T>
+T grey_of(const T* p) {  // 0.299, 0.587 and 0.114 of 2^15
+  constexpr std::uint32_t red = 9798, green = 19235, blue = 3735;
+  return static_cast<T>((red * p[0] + green * p[1] + blue * p[2] + (1U << 14)) >> 15);
 }
 
-std::uint8_t grey_of(const std::uint8_t* p) {  // 0.299, 0.587 and 0.114 of 2^15
-  return byte((9798 * p[0] + 19235 * p[1] + 3735 * p[2] + (1 << 14)) >> 15);
+template <class T>
+T saturation_of(const T* p) {
+  using Wide = std::conditional_t<sizeof(T) == 1, int, std::int64_t>;
+  const Wide max = std::max({p[0], p[1], p[2]}), min = std::min({p[0], p[1], p[2]});
+  constexpr Wide highest = std::numeric_limits<T>::max();
+  return static_cast<T>(max == 0 ? 0 : (2 * highest * (max - min) + max) / (2 * max));
 }
 
-std::uint8_t saturation_of(const std::uint8_t* p) {
-  const int max = std::max({p[0], p[1], p[2]});
-  const int min = std::min({p[0], p[1], p[2]});
-  return max == 0 ? byte(0) : byte((510 * (max - min) + max) / (2 * max));
-}
-
-std::uint8_t value_of(const std::uint8_t* p) {
+template <class T>
+T value_of(const T* p) {
   return std::max({p[0], p[1], p[2]});
 }
 
-template <class LevelOf>
-void fill(const ConstColourView& colours, const ImageView& to, const LevelOf& level_of) {
+template <class T, class LevelOf>
+void fill(const ColourView<T>& colours, const View<T>& to, const LevelOf& level_of) {
   for (Index y = 0; y < to.height; ++y) {
-    const std::uint8_t* from = colours.data + y * colours.stride;
-    std::uint8_t* const row = to.row(y);
+    const T* from = colours.data + y * colours.stride;
+    T* const row = to.row(y);
     for (Index x = 0; x < to.width; ++x, from += colours.samples) row[x] = level_of(from);
   }
 }
 
-void write_channel(const ConstColourView& colours, const ImageView& to, Channel channel) {
+template <class T>
+void write_channel(const ColourView<T>& colours, const View<T>& to, Channel channel) {
   switch (channel) {
     case Channel::red:
-      return fill(colours, to, [](const std::uint8_t* p) { return p[0]; });
+      return fill(colours, to, [](const T* p) { return p[0]; });
     case Channel::green:
-      return fill(colours, to, [](const std::uint8_t* p) { return p[1]; });
+      return fill(colours, to, [](const T* p) { return p[1]; });
     case Channel::blue:
-      return fill(colours, to, [](const std::uint8_t* p) { return p[2]; });
+      return fill(colours, to, [](const T* p) { return p[2]; });
     case Channel::saturation:
-      return fill(colours, to, saturation_of);
+      return fill(colours, to, saturation_of<T>);
     case Channel::value:
-      return fill(colours, to, value_of);
+      return fill(colours, to, value_of<T>);
     default:
-      return fill(colours, to, grey_of);
+      return fill(colours, to, grey_of<T>);
   }
 }
 
-bool has_colours(const ConstColourView& colours) {
+template <class T>
+bool has_colours(const ColourView<T>& colours) {
   for (Index y = 0; y < colours.height; ++y) {
-    const std::uint8_t* p = colours.data + y * colours.stride;
+    const T* p = colours.data + y * colours.stride;
     for (Index x = 0; x < colours.width; ++x, p += colours.samples) {
       if (p[0] != p[1] || p[1] != p[2]) return true;
     }
@@ -67,12 +70,13 @@ bool has_colours(const ConstColourView& colours) {
   return false;
 }
 
-Channel best_channel(const ConstColourView& colours, const ImageView& scratch) {
+template <class T>
+Channel best_channel(const ColourView<T>& colours, const View<T>& scratch) {
   Channel best = Channel::grey;
   double greatest = -1;
   for (std::size_t i = 0; i < kChannelNames.size() - 1; ++i) {
     write_channel(colours, scratch, static_cast<Channel>(i));
-    const detail::Histogram counts = detail::histogram_of(scratch);
+    const detail::Histogram counts = detail::histogram_of<T>(scratch);
     const double found = detail::separation(counts, detail::otsu_threshold(counts));
     if (found <= greatest) continue;
     greatest = found;
@@ -81,13 +85,14 @@ Channel best_channel(const ConstColourView& colours, const ImageView& scratch) {
   return best;
 }
 
-void check(const ConstColourView& colours, const ImageView& destination, Channel channel) {
+template <class T>
+void check(const ColourView<T>& colours, const View<T>& destination, Channel channel) {
   detail::require_enumerator(channel, kChannelNames.size(), "channel");
   require(colours.samples == 3 || colours.samples == 4,
-          "colours: expected 3 or 4 bytes per pixel, got " + std::to_string(colours.samples));
+          "colours: expected 3 or 4 samples per pixel, got " + std::to_string(colours.samples));
   detail::require_size(colours.width, colours.height);
   detail::require_max_pixels(colours.width, colours.height);
-  const detail::Memory from = {"colours",     colours.data,   1,
+  const detail::Memory from = {"colours",     colours.data,   sizeof(T),
                                colours.width, colours.height, colours.samples * colours.width,
                                colours.stride};
   const detail::Memory to = detail::memory_of("destination", destination);
@@ -99,16 +104,27 @@ void check(const ConstColourView& colours, const ImageView& destination, Channel
               " pixels, got " + detail::size_text(destination.width, destination.height));
 }
 
-}  // namespace
-
-Channel select_channel(ConstColourView colours, ImageView destination, Channel channel,
-                       const Execution& execution) {
+template <class T>
+Channel select(const ColourView<T>& colours, const View<T>& destination, Channel channel,
+               const Execution& execution) {
   check(colours, destination, channel);
   detail::require_execution(execution);
   if (channel == Channel::grey || !has_colours(colours)) channel = Channel::grey;
   if (channel == Channel::automatic) channel = best_channel(colours, destination);
   write_channel(colours, destination, channel);
   return channel;
+}
+
+}  // namespace
+
+Channel select_channel(ConstColourView colours, ImageView destination, Channel channel,
+                       const Execution& execution) {
+  return select(colours, destination, channel, execution);
+}
+
+Channel select_channel16(ColourView<std::uint16_t> colours, View<std::uint16_t> destination,
+                         Channel channel, const Execution& execution) {
+  return select(colours, destination, channel, execution);
 }
 
 }  // namespace thinbench

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -20,6 +19,10 @@ struct Class {
   }
 };
 
+int levels_of(const Histogram& counts) {
+  return static_cast<int>(counts.size());
+}
+
 Class class_of(const Histogram& counts, int first, int end) {
   Class result;
   for (int level = first; level < end; ++level) {
@@ -35,43 +38,46 @@ Class class_of(const Histogram& counts, int first, int end) {
 
 /// Neighbours, which often have one level, are counted in four tables: an addition need not wait
 /// for the one before.
-Histogram histogram_of(const ConstImageView& grey) {
-  std::array<std::array<std::uint64_t, kLevels>, 4> tables{};
+template <class T>
+Histogram histogram_of(const View<const T>& grey) {
+  constexpr std::size_t levels = std::size_t{std::numeric_limits<T>::max()} + 1;
+  std::vector<std::uint64_t> tables(4 * levels);
   for (Index y = 0; y < grey.height; ++y) {
-    const std::uint8_t* row = grey.row(y);
+    const T* row = grey.row(y);
     Index x = 0;
     for (; x + 4 <= grey.width; x += 4) {
-      ++tables[0][row[x]];
-      ++tables[1][row[x + 1]];
-      ++tables[2][row[x + 2]];
-      ++tables[3][row[x + 3]];
+      ++tables[row[x]];
+      ++tables[levels + row[x + 1]];
+      ++tables[2 * levels + row[x + 2]];
+      ++tables[3 * levels + row[x + 3]];
     }
-    for (; x < grey.width; ++x) ++tables[0][row[x]];
+    for (; x < grey.width; ++x) ++tables[row[x]];
   }
-  Histogram counts{};
-  for (const auto& table : tables) {
-    for (std::size_t level = 0; level < kLevels; ++level) {
-      counts[level] += static_cast<double>(table[level]);
-    }
+  Histogram counts(levels);
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    counts[i % levels] += static_cast<double>(tables[i]);
   }
   return counts;
 }
 
+template Histogram histogram_of(const ConstImageView& grey);
+template Histogram histogram_of(const View<const std::uint16_t>& grey);
+
 double separation(const Histogram& counts, int threshold) {
-  const double all = class_of(counts, 0, kLevels).variance_sum();
+  const double all = class_of(counts, 0, levels_of(counts)).variance_sum();
   if (all <= 0) return 0;
   const double within = class_of(counts, 0, threshold).variance_sum() +
-                        class_of(counts, threshold, kLevels).variance_sum();
+                        class_of(counts, threshold, levels_of(counts)).variance_sum();
   return 1 - within / all;
 }
 
 double undecided_share(const Histogram& counts, int threshold) {
   const Class dark = class_of(counts, 0, threshold);
-  const Class bright = class_of(counts, threshold, kLevels);
+  const Class bright = class_of(counts, threshold, levels_of(counts));
   if (dark.pixels == 0 || bright.pixels == 0) return 0;
   const double near = 0.1 * (bright.sum / bright.pixels - dark.sum / dark.pixels);
   double pixels = 0;
-  for (int level = 0; level < kLevels; ++level) {
+  for (int level = 0; level < levels_of(counts); ++level) {
     if (std::abs(level - (threshold - 0.5)) < near) {
       pixels += counts[static_cast<std::size_t>(level)];
     }
@@ -92,13 +98,13 @@ bool is_binary(const Histogram& counts) {
 int otsu_threshold(const Histogram& counts) {
   const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
   double mean = 0;
-  for (int level = 0; level < kLevels; ++level) {
+  for (int level = 0; level < levels_of(counts); ++level) {
     mean += level * counts[static_cast<std::size_t>(level)];
   }
   mean *= scale;
   double mean_below = 0, share_below = 0, best = 0;
   int threshold = 0;
-  for (int level = 0; level < kLevels; ++level) {
+  for (int level = 0; level < levels_of(counts); ++level) {
     const double share = counts[static_cast<std::size_t>(level)] * scale;
     mean_below *= share_below;
     share_below += share;

@@ -1,17 +1,20 @@
 // Histograms of grey levels, and the classes that a threshold makes of them.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "thinbench/image_view.hpp"
 
 namespace thinbench::detail {
 
-inline constexpr int kLevels = 256;
-using Histogram = std::array<double, kLevels>;  // exact: counts are far below 2^53
+/// A count for each of 256 or 65536 levels; exact: counts are far below 2^53.
+using Histogram = std::vector<double>;
 
-[[nodiscard]] Histogram histogram_of(const ConstImageView& grey);
+/// Of grey levels in bytes or in 16 bits.
+template <class T>
+[[nodiscard]] Histogram histogram_of(const View<const T>& grey);
 
 /// The share of the variance that a threshold leaves to the distance of the two means; 0 where
 /// there is no variance.
@@ -24,7 +27,7 @@ using Histogram = std::array<double, kLevels>;  // exact: counts are far below 2
 /// The level of all pixels, if they have one.
 [[nodiscard]] std::optional<int> only_level(const Histogram& counts);
 
-/// Whether all levels are 0 or 255.
+/// Whether all levels are 0 or the highest.
 [[nodiscard]] bool is_binary(const Histogram& counts);
 
 /// The grey level from which pixels are bright by Otsu's method: the greatest variance between the

@@ -150,6 +150,31 @@ typedef struct thinbench_colours {
 #define THINBENCH_COLOURS_INIT \
   { sizeof(thinbench_colours), NULL, 0, 0, 0, 3, 0 }
 
+/* Images of 16 bits per pixel or sample; strides are in these. */
+typedef struct thinbench_image16 {
+  size_t size; /* of this struct */
+  uint16_t* data;
+  ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride;
+} thinbench_image16;
+
+#define THINBENCH_IMAGE16_INIT \
+  { sizeof(thinbench_image16), NULL, 0, 0, 0 }
+
+typedef struct thinbench_colours16 {
+  size_t size; /* of this struct */
+  uint16_t* data;
+  ptrdiff_t width;
+  ptrdiff_t height;
+  ptrdiff_t stride;
+  int32_t samples; /* 3 or 4 */
+  int32_t reserved;
+} thinbench_colours16;
+
+#define THINBENCH_COLOURS16_INIT \
+  { sizeof(thinbench_colours16), NULL, 0, 0, 0, 3, 0 }
+
 typedef struct thinbench_pixel {
   int32_t x;
   int32_t y;
@@ -342,9 +367,9 @@ THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
 typedef struct thinbench_binarisation {
   size_t size;            /* of this struct */
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
-  int32_t threshold;      /* 0 to 255, THINBENCH_OTSU or THINBENCH_LOCAL */
+  int32_t threshold;      /* 0 to the highest level, THINBENCH_OTSU or THINBENCH_LOCAL */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset;         /* of the local threshold: 0 to 255 */
+  int32_t offset;         /* of the local threshold: 0 to the highest level */
   int32_t reserved;
 } thinbench_binarisation;
 
@@ -366,6 +391,18 @@ THINBENCH_API thinbench_status thinbench_select_channel(const thinbench_colours*
                                                         const char* channel,
                                                         const thinbench_execution* execution,
                                                         const char** chosen);
+
+/* The same for levels of 16 bits, from 0 to 65535. Nothing is done in place. */
+THINBENCH_API thinbench_status thinbench_binarise16(const thinbench_image16* grey,
+                                                    const thinbench_image* destination,
+                                                    const thinbench_binarisation* request,
+                                                    const thinbench_execution* execution,
+                                                    const char** foreground, int32_t* threshold);
+THINBENCH_API thinbench_status thinbench_select_channel16(const thinbench_colours16* colours,
+                                                          const thinbench_image16* destination,
+                                                          const char* channel,
+                                                          const thinbench_execution* execution,
+                                                          const char** chosen);
 
 /* The directions of the midpoint scan, to be combined by |. */
 #define THINBENCH_ROWS 1          /* west to east */

@@ -142,7 +142,7 @@ def stacks(source: Array, result: Array) -> tuple[bytes, bytes]:
 
 
 def numbers(array: Array) -> bytes:
-    """A thinbench_labels or thinbench_reals struct of rows."""
+    """A thinbench_labels, thinbench_reals or thinbench_image16 struct of rows."""
     height, width = array.shape
     return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height,
                                  max(array.strides[0] // array.itemsize, width))

@@ -24,11 +24,12 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
 
     Parameters
     ----------
-    image : array of uint8, shape (H, W), (H, W, 3) or (H, W, 4)
-        Grey levels, or red, green, blue and, if there is a fourth, opacity, which is ignored.
+    image : array of uint8, uint16 or bool, shape (H, W), (H, W, 3) or (H, W, 4)
+        Grey levels, or red, green, blue and, if there is a fourth, opacity, which is ignored. True
+        is the level 255.
     foreground : {"auto", "bright", "dark"}
         "auto": the class that covers less of the image border.
-    threshold : int from 0 to 255, "otsu" or "local"
+    threshold : int from 0 to 255, of uint16 to 65535, "otsu" or "local"
         Pixels are bright at this level and above. "otsu": the level that separates the two classes
         best. "local", for uneven light: foreground differs from the mean of the window around it by
         more than `offset`.
@@ -38,7 +39,7 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
         Side of the window of "local": odd, 3 to 65535. Default: an eighth of the image's smaller
         side, at least 15.
     offset : int, optional
-        Of "local", 0 to 255 grey levels. Default: 10.
+        Of "local", 0 to 255 grey levels, of uint16 to 65535. Default: 10, of uint16 10 / 255 of the levels' range.
 
     Returns
     -------
@@ -60,22 +61,25 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
     levels = _levels(image, channel)
     request = _REQUEST.pack(_REQUEST.size,
                             ctypes.addressof(_arrays.one_of("foreground", foreground, _FOREGROUNDS)),
-                            _threshold(threshold), _window(window),
-                            10 if offset is None else _arrays.integer("offset", offset))
+                            _threshold(threshold, np.iinfo(levels.dtype).max), _window(window),
+                            _offset(levels) if offset is None else _arrays.integer("offset", offset))
     for name, value in (("window", window), ("offset", offset)):
         if value is not None and threshold != "local":
             raise ValueError(f"{name}: expected threshold='local' beside it, got {threshold!r}")
     result = np.empty(levels.shape, bool)
-    _library.binarise(*_arrays.images(levels, result), request, None, None, None)
+    if levels.dtype == np.uint8:
+        _library.binarise(*_arrays.images(levels, result), request, None, None, None)
+    else:
+        _library.binarise16(_arrays.numbers(levels), _arrays.images(result, result)[1], request, None, None, None)
     return result
 
 
-def _threshold(threshold: Any) -> int:
+def _threshold(threshold: Any, highest: int) -> int:
     if isinstance(threshold, str):
         return _arrays.one_of("threshold", threshold, _METHODS)
     level = _arrays.integer("threshold", threshold)
-    if not 0 <= level <= 255:
-        raise ValueError(f"threshold: expected 0 to 255, 'otsu' or 'local', got {level}")
+    if not 0 <= level <= highest:
+        raise ValueError(f"threshold: expected 0 to {highest}, 'otsu' or 'local', got {level}")
     return level
 
 
@@ -88,16 +92,29 @@ def _window(window: Any) -> int:
     return side
 
 
-def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[np.uint8]:
+def _offset(levels: npt.NDArray[Any]) -> int:
+    if levels.dtype == np.uint8 or not levels.size:
+        return 10
+    return round(10 * int(np.ptp(levels)) / 255)
+
+
+def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[Any]:
     name = _arrays.one_of("channel", channel, _CHANNELS)
     array = _arrays.unmasked(image)
-    if array.ndim == 2 or array.dtype != np.uint8:
-        return _arrays.grey(array)
+    if array.dtype == np.bool_:
+        array = array * np.uint8(255)
+    if array.dtype not in (np.uint8, np.uint16):
+        raise TypeError(f"image: expected dtype uint8, uint16 or bool of grey levels, got {array.dtype}")
+    if array.ndim == 2:
+        return _arrays.with_rows(array)
     if array.ndim != 3 or array.shape[2] not in (3, 4):
         raise ValueError(f"image: expected shape (H, W), (H, W, 3) or (H, W, 4), got {array.shape}")
     colours = np.ascontiguousarray(array)
     height, width, samples = colours.shape
-    levels = np.empty((height, width), np.uint8)
+    levels = np.empty((height, width), colours.dtype)
     source = _library.COLOURS.pack(_library.COLOURS.size, colours.ctypes.data, width, height, samples * width, samples)
-    _library.select_channel(source, _arrays.image(levels), name, None, None)
+    if colours.dtype == np.uint8:
+        _library.select_channel(source, _arrays.image(levels), name, None, None)
+    else:
+        _library.select_channel16(source, _arrays.numbers(levels), name, None, None)
     return levels

@@ -487,6 +487,33 @@ static void binarises_grey_images(void) {
   CHECK(grey[0] + grey[1] == 1 && grey[0] == grey[3] && grey[4] == 77);
 }
 
+static void takes_levels_of_16_bits(void) {
+  uint16_t samples[] = {700, 5, 5, 600, 5, 5};
+  uint16_t grey[] = {7, 7};
+  uint8_t binary[] = {77, 77};
+  thinbench_colours16 colours = THINBENCH_COLOURS16_INIT;
+  thinbench_image16 levels = THINBENCH_IMAGE16_INIT;
+  const thinbench_image to = view_of(binary, 2, 1);
+  thinbench_binarisation request = THINBENCH_BINARISATION_INIT;
+  const char* chosen = NULL;
+  int32_t threshold = 0;
+  draw();
+  colours.data = samples;
+  levels.data = grey;
+  colours.width = levels.width = levels.stride = 2;
+  colours.height = levels.height = 1;
+  colours.stride = 6;
+  CHECK(thinbench_select_channel16(&colours, &levels, "red", NULL, &chosen) == THINBENCH_OK);
+  CHECK(strcmp(chosen, "red") == 0 && grey[0] == 700 && grey[1] == 600);
+  request.foreground = "bright";
+  request.threshold = 601;
+  CHECK(thinbench_binarise16(&levels, &to, &request, NULL, &chosen, &threshold) == THINBENCH_OK);
+  CHECK(strcmp(chosen, "bright") == 0 && threshold == 601 && binary[0] == 255 && binary[1] == 0);
+  request.threshold = 65536;
+  rejects(thinbench_binarise16(&levels, &to, &request, NULL, NULL, NULL), "65536");
+  rejects(thinbench_select_channel16(&colours, NULL, "red", NULL, NULL), "destination is NULL");
+}
+
 static void lists_rules(void) {
   thinbench_rule_info info = THINBENCH_RULE_INFO_INIT;
   thinbench_rule* rule;
@@ -894,6 +921,7 @@ int main(void) {
   rules_are_made_from_nets();
   selects_a_channel();
   binarises_grey_images();
+  takes_levels_of_16_bits();
   lists_rules();
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();

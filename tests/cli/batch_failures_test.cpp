@@ -25,7 +25,7 @@ TEST_F(BatchFailures, failures_are_counted_listed_and_written_to_the_manifest) {
   expect_holds(ran.out, ": 3 images done, 3 failed, ");
   EXPECT_EQ(ran.err.substr(ran.err.find('\n') + 1),
             "3 failures:\n"
-            "  cannot read 'in/broken.png': it is damaged or has no pixels\n"
+            "  cannot read 'in/broken.png': it is damaged: the file is truncated\n"
             "  cannot read 'in/empty.jpg': the file is empty\n"
             "  cannot read 'in/new\\x0aline.png': it is not an image of a known format\n");
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "60.png", "manifest.csv"}));

@@ -5,7 +5,7 @@
 
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "thinbench/edges.hpp"
 

@@ -1,7 +1,8 @@
 /* Faults that no limit of the system makes, for programs that are started with LD_PRELOAD. FAULT
    names one: "clock" (the time of day jumps by years), "proc" (nothing below /proc can be opened),
-   "threads" (none can be started) "kill" (SIGKILL before a file is renamed) or "interrupt" (SIGINT
-   in the middle of a copy). Without it, nothing changes. */
+   "threads" (none can be started), "kill" (SIGKILL before a file is renamed), "interrupt" (SIGINT
+   in the middle of a copy) or "read" (the first large read() makes the file "reading" and waits until
+   that is removed). Without it, nothing changes. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -17,6 +18,7 @@
 #include <sys/sendfile.h>
 #include <sys/time.h>
 #include <time.h>
+#include <unistd.h>
 
 #define ORIGINAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
@@ -89,6 +91,16 @@ DIR* opendir(const char* path) {
 
 ssize_t readlink(const char* restrict path, char* restrict to, size_t size) {
   return is_denied(path) ? -1 : ORIGINAL(readlink)(path, to, size);
+}
+
+ssize_t read(int from, void* to, size_t count) {
+  const ssize_t got = ORIGINAL(read)(from, to, count);
+  static atomic_int reads;
+  if (count > 1000000 && has_fault("read") && atomic_fetch_add(&reads, 1) == 0) {
+    close(ORIGINAL(open)("reading", O_CREAT | O_WRONLY, 0666));
+    while (access("reading", F_OK) == 0) usleep(1000);
+  }
+  return got;
 }
 
 /* A process that is killed when its result is complete but has not its name. */

@@ -87,7 +87,7 @@ def expect_one_line(words: list[str], directory: Path, says: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_kinds_show_the_same_parts(kind: str, inputs: Path, tmp_path: Path) -> None:
-    """Colours become grey, 16 bits 8, transparency is left out."""
+    """Colours become grey, transparency is left out."""
     KINDS[kind](tmp_path / kind)
     assert objects_in(kind, tmp_path) == objects_in("a.png", inputs)
 
@@ -157,7 +157,8 @@ def chunk(kind: bytes, data: bytes) -> bytes:
 def png(width: int, height: int, bits: int, colours: int, data: bytes) -> bytes:
     """With any claims."""
     head = struct.pack(">IIBBBBB", width, height, bits, colours, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+    palette = chunk(b"PLTE", bytes(48)) if colours == 3 else b""
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + palette + chunk(b"IDAT", data) + chunk(b"IEND", b"")
 
 
 def jpeg(width: int, height: int, frame: int) -> bytes:
@@ -227,12 +228,11 @@ def test_batch_refuses_bombs_and_does_the_rest(idle_bytes: int, tmp_path: Path) 
 @pytest.mark.parametrize("name, data, says", [
     ("arithmetic coding.jpg", jpeg(300, 200, 0xC9), "arithmetic coding"),
     ("large tiles.tif", tiff(16, 16, 8, 16384), "its tiles of 16384 x 16384 pixels are larger than its 16 x 16"),
-    ("no pixels.png", png(0, 5, 8, 0, NOTHING), "damaged or has no pixels"),
-    ("colours.png", png(5, 5, 8, 7, NOTHING), "damaged or has no pixels"),
-    ("bits.png", png(5, 5, 3, 0, NOTHING), "damaged or has no pixels"),
-    ("wide.png", png(2_000_000, 1, 1, 0, NOTHING), "damaged"),
-    ("huge.png", png(2**31 - 1, 2**31 - 1, 1, 0, NOTHING), "2\\^20|pixels|damaged"),
-    ("huge.tif", tiff(2**32 - 1, 2**32 - 1, 8), "2\\^20|pixels|damaged"),
+    ("no pixels.png", png(0, 5, 8, 0, NOTHING), "damaged"),
+    ("colours.png", png(5, 5, 8, 7, NOTHING), "damaged"),
+    ("bits.png", png(5, 5, 3, 0, NOTHING), "damaged"),
+    ("huge.png", png(2**31 - 1, 2**31 - 1, 1, 0, NOTHING), "pixels|damaged"),
+    ("huge.tif", tiff(2**32 - 1, 2**32 - 1, 8), "pixels|damaged"),
     ("huge.pgm", b"P5 99999999999999999999 2 255\n", "damaged|pixels"),
     ("negative.pgm", b"P5 -5 5 255\n" + b"1" * 99, "damaged"),
     ("huge.pam", b"P7\nWIDTH 3\nHEIGHT 9223372036854775807\nDEPTH 3\nMAXVAL 255\nENDHDR\n", "damaged|pixels"),
@@ -244,14 +244,14 @@ def test_hostile_headers_give_one_line(name: str, data: bytes, says: str, tmp_pa
 
 
 def test_limit_of_pixels_can_be_lowered(tmp_path: Path) -> None:
-    """By the variable that raises it."""
+    """For services."""
     GREY.save(tmp_path / "a.png")
-    limit = Fault("", environment={"OPENCV_IO_MAX_IMAGE_PIXELS": "59999"})
-    run(["thinbench", "holes", "a.png"], tmp_path, limit).assert_failed(
-        "it has more pixels than OPENCV_IO_MAX_IMAGE_PIXELS=59999 allows")
+    lower = Fault("", environment={"THINBENCH_MAX_PIXELS": "59999"})
+    run(["thinbench", "holes", "a.png"], tmp_path, lower).assert_failed(
+        "it has more pixels than THINBENCH_MAX_PIXELS=59999 allows")
 
 
-# Memory: what the image and the operation need, 10 % and, to find more in images of this size, 4 MB instead of 64.
+# Memory: what the file, the image and the operation need, 10 % and, to find more in images of this size, 4 MB instead of 64.
 
 SIDE = 4000
 
@@ -267,9 +267,9 @@ LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
     "large.png": (save(parts(SIDE, SIDE), compress_level=1), 0),
     "large.jpg": (save(parts(SIDE, SIDE)), 0),
     "colour.png": (save(parts(SIDE, SIDE).convert("RGB"), compress_level=1), 3),
-    "large.pgm": (save(parts(SIDE, SIDE)), 0),
-    "large.tif": (save(parts(SIDE, SIDE)), 0),
-    "one strip.tif": (save_one_strip, 4),
+    "large.pgm": (save(parts(SIDE, SIDE)), 1),
+    "large.tif": (save(parts(SIDE, SIDE)), 1),
+    "one strip.tif": (save_one_strip, 0),
     "progressive.jpg": (save(parts(SIDE, SIDE), progressive=True), 2),
     "black.png": (save_bytes(png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))), 0),
 }

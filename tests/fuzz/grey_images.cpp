@@ -1,34 +1,34 @@
 // Image files of any format: an image, or one line that says why there is none.
+#include "byte_source.hpp"
+#include "images/binarise.hpp"
 #include "images/image_file.hpp"
-#include "memory_file.hpp"
 
 namespace thinbench {
 namespace {
 
-/// An image with pixels, or an error of the reader.
-template <class Read>
-void must_read_or_explain(const Read& read) {
-  must_succeed_or_explain<FileError>([&] {
-    const ByteImage image = read();
-    must(image.width() > 0 && image.height() > 0, "an image without pixels");
-  });
+FileBytes file_of(std::span<const std::uint8_t> bytes) {
+  return {"input", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
 }
 
-void read_all(const std::string& path) {
-  std::string warning;
-  must_read_or_explain([&] { return read_grey(path); });
-  must_read_or_explain([&] { return read_grey(path, &warning); });
-  const int pages = page_count(path);
-  must(pages >= 1, "no pages");
-  if (pages > 1) must_read_or_explain([&] { return read_grey_page(path, pages - 1); });
+/// An image with pixels, or an error of the reader.
+void read_page(std::span<const std::uint8_t> bytes, int page, const BinariseOptions& options) {
+  must_succeed_or_explain<FileError>([&] {
+    const GreyFile file = read_grey_file(file_of(bytes), page, options);
+    must(file.grey.width > 0 && file.grey.height > 0, "an image without pixels");
+  });
 }
 
 }  // namespace
 
 void try_input(ByteSource& input) {
-  static const MemoryFile file;
-  file.hold(input.take(SIZE_MAX));
-  read_all(file.path());
+  const auto bytes = input.take(SIZE_MAX);
+  read_page(bytes, 0, {});
+  read_page(bytes, 0, {.lenient = true, .grey = {.opacity = true}});
+  read_page(bytes, 0, {.grey = {.channel = Channel::automatic, .backdrop = Backdrop::white}});
+  must_succeed_or_explain<FileError>([&] { static_cast<void>(read_labels(file_of(bytes))); });
+  const int pages = page_count(file_of(bytes));
+  must(pages >= 1, "no pages");
+  if (pages > 1) read_page(bytes, pages - 1, {});
 }
 
 }  // namespace thinbench

@@ -27,7 +27,7 @@ SOURCES = ROOT / "tests" / "fuzz"
 LONGEST_INPUT = 4096  # bytes
 SLOWEST_INPUT = 60  # seconds
 # A decoder may ask for memory in vain; images are small.
-ENVIRONMENT = {"OPENCV_IO_MAX_IMAGE_PIXELS": "1048576",
+ENVIRONMENT = {"THINBENCH_MAX_PIXELS": "1048576",
                "ASAN_OPTIONS": "allocator_may_return_null=1:detect_leaks=1",
                "UBSAN_OPTIONS": "print_stacktrace=1"}
 

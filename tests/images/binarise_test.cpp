@@ -10,7 +10,7 @@
 #include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "support/made_image.hpp"
 #include "support/own_directory.hpp"

@@ -1,8 +1,12 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
-#include "images/mat_of.hpp"
+#include "harness/test_images.hpp"
 #include "images/regions.hpp"
+#include "peers/mat_of.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -48,6 +52,37 @@ TEST(Overlay, outlines_of_objects_are_green_and_those_of_holes_red) {
   }
   for (const cv::Point& at : {cv::Point(29, 40), cv::Point(50, 45), cv::Point(40, 50)}) {
     EXPECT_EQ(overlay(at), kRed) << at;
+  }
+}
+
+using Outlines = std::vector<std::vector<std::pair<int, int>>>;
+
+/// Pixels and outlines in any order.
+template <class Lines>
+Outlines sorted_outlines(const Lines& lines) {
+  Outlines outlines;
+  for (const auto& line : lines) {
+    outlines.emplace_back();
+    for (const auto& pixel : line) outlines.back().emplace_back(pixel.x, pixel.y);
+    std::ranges::sort(outlines.back());
+  }
+  std::ranges::sort(outlines);
+  return outlines;
+}
+
+TEST(Overlay, outlines_are_the_contours_that_opencv_finds) {
+  for (const int percent : {10, 40, 60, 90}) {
+    for (const Index granularity : {1, 2, 5}) {
+      const ByteImage objects = noise_image(61, 43, percent, granularity, 7);
+      std::vector<std::vector<cv::Point>> contours;
+      cv::findContours(mat_of(objects.view()), contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+      std::vector<std::vector<Pixel>> lines;
+      for (const OverlayLine& line :
+           regions_overlay(objects.view(), find_regions(objects.view())).lines) {
+        if (line.is_closed) lines.push_back(line.points);
+      }
+      EXPECT_EQ(sorted_outlines(lines), sorted_outlines(contours)) << percent << ' ' << granularity;
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "images/mat_of.hpp"
 #include "images/regions.hpp"
+#include "peers/mat_of.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
@@ -36,11 +37,11 @@ TEST_F(WriteGrey, files_of_every_format_read_back_equal_and_replace_what_was_the
 TEST_F(WriteGrey, one_and_several_pages_are_written_through_a_link_whatever_the_target_is_called) {
   fs::create_symlink("target", "a.tif");
   write_grey("a.tif", stripes().view());
-  EXPECT_EQ(page_count("target"), 1);
+  EXPECT_EQ(page_count(read_file("target")), 1);
   std::vector<ByteImage> pages(2);
   for (ByteImage& page : pages) page = stripes();
   write_grey_pages("a.tif", pages);
-  EXPECT_EQ(page_count("target"), 2);
+  EXPECT_EQ(page_count(read_file("target")), 2);
   EXPECT_EQ(names(), (Names{"a.tif", "target"}));
 }
 
@@ -74,17 +75,36 @@ TEST_F(WriteGrey, what_is_protected_is_rejected) {
 }
 
 TEST_F(WriteGrey, sizes_beyond_the_limits_are_rejected_before_a_pixel_is_touched) {
-  EXPECT_TRUE(is_writable_size(715827882, 3));  // 2^31 - 2 pixels
-  EXPECT_FALSE(is_writable_size(715827883, 3));
-  EXPECT_TRUE(is_writable_size(INT32_MAX, 1));
-  EXPECT_FALSE(is_writable_size(Index{1} << 31, 1));
-  EXPECT_FALSE(is_writable_size(Index{1} << 16, Index{1} << 15));
-  EXPECT_FALSE(is_writable_size(PTRDIFF_MAX, PTRDIFF_MAX));
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
   EXPECT_THROW(write_grey("a.png", huge), FileError);
+  EXPECT_THROW(write_grey("a.png", {&pixel, 715827883, 3}), FileError);  // 2^31 + 1
+  EXPECT_THROW(write_grey("a.png", {&pixel, PTRDIFF_MAX, PTRDIFF_MAX}), FileError);
   EXPECT_THROW(write_grey("a.png", ByteImage(0, 4).view()), FileError);
   EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(WriteGrey, labels_beyond_16_bits_take_32_in_tiff_and_nothing_else) {
+  const std::int32_t labels[] = {0, 7, 65536, INT32_MAX};
+  write_labels("a.tif", {labels, 2, 2});
+  EXPECT_EQ(read_labels(read_file("a.tif")).labels, std::vector<std::int32_t>(labels, labels + 4));
+  EXPECT_EQ(
+      rejection_of<FileError>([&] {
+        write_labels("a.png", {labels, 2, 2});
+      }),
+      "cannot write 'a.png': it has labels up to 2147483647, and its format holds 65535; .tif "
+      "holds more");
+  write_labels("a.png", {labels, 2, 1});
+  EXPECT_EQ(read_labels(read_file("a.png")).labels, std::vector<std::int32_t>(labels, labels + 2));
+}
+
+TEST_F(WriteGrey, real_numbers_are_written_as_they_are) {
+  const float numbers[] = {0, 0.25F, 3, 1e30F};
+  write_reals("a.tif", {numbers, 4, 1});
+  const Pixels read = decode(read_file("a.tif"));
+  EXPECT_EQ(read.kind, SampleKind::f32);
+  EXPECT_TRUE(std::equal(numbers, numbers + 4, read.samples_of_row<float>(0)));
+  EXPECT_THROW(write_reals("a.png", {numbers, 4, 1}), ExtensionError);
 }
 
 TEST_F(WriteGrey, an_image_too_wide_for_png_names_other_formats) {

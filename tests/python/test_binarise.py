@@ -161,3 +161,22 @@ def test_the_warning_tells_wrong_from_right(name):
     if not path.exists():
         pytest.skip(f"{path} is not there")
     assert ("the two classes overlap" in run("holes", path).stderr) == (name in SKIMAGE_WRONG)
+
+
+@pytest.mark.parametrize("options", [{}, {"threshold": 700}, {"threshold": "local"},
+                                     {"threshold": "local", "window": 31, "offset": 4}])
+@pytest.mark.parametrize("channel", ["grey", "red", "saturation", "auto"])
+def test_levels_of_16_bits_are_those_of_the_program(tmp_path, channel, options):
+    photo = np.random.RandomState(5).randint(600, 1000, (41, 57, 3)).astype(np.uint16)
+    photo[10:30, 20:40] //= 3
+    words = [word for name, value in options.items() for word in (f"--{name}", value)]
+    found = thinbench.binarise(photo, channel=channel, **options)
+    np.testing.assert_array_equal(found, by_program(tmp_path, photo, "--channel", channel, *words))
+    if channel == "red" and "threshold" not in options:
+        np.testing.assert_array_equal(found, thinbench.binarise(photo[..., 0]))
+
+
+def test_bool_is_0_and_255():
+    picture = np.random.RandomState(5).rand(20, 30) < .2
+    np.testing.assert_array_equal(thinbench.binarise(picture), picture)
+    np.testing.assert_array_equal(thinbench.binarise(picture, foreground="dark", threshold=255), ~picture)

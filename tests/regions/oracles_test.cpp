@@ -9,7 +9,7 @@
 
 #include "harness/test_images.hpp"
 #include "holes.hpp"
-#include "images/mat_of.hpp"
+#include "peers/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "thinbench/regions.hpp"
 

@@ -11,7 +11,8 @@
 
 #include <sys/stat.h>
 
-#include "images/image_file.hpp"
+#include "images/codecs.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -36,20 +37,29 @@ BatchJob job_of(const BatchInput& input, const std::string& suffix,
   return job;
 }
 
+/// Only files whose name says that they are TIFF are looked at.
+int pages_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension != ".tif" && extension != ".tiff") return 1;
+  try {
+    return page_count(read_file(path));
+  } catch (const FileError&) {
+    return 1;  // reading it gives the reason
+  }
+}
+
 std::vector<BatchJob> jobs_of_one(const BatchInput& input, const ResultExtensions& extensions,
                                   bool joins_pages) {
-  const int pages = page_count(input.path);
+  const int pages = pages_of(input.path);
   std::vector<BatchJob> jobs;
   if (pages == 1 || joins_pages) {
     jobs.push_back(job_of(input, "", extensions));
     jobs.back().pages = pages;
-    jobs.back().one_of_several = pages > 1;
     return jobs;
   }
   for (int page = 0; page < pages; ++page) {
     jobs.push_back(job_of(input, "_page" + std::to_string(page + 1), extensions));
     jobs.back().first_page = page;
-    jobs.back().one_of_several = true;
   }
   return jobs;
 }
@@ -71,11 +81,9 @@ namespace {
 /// Why jobs cannot be done, in the order of the inputs.
 class Rejections {
  public:
-  Rejections(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) : out_(out) {
-    for (const auto& of_input : jobs) {
-      const std::string& path = of_input.front().path;
-      if (const auto id = id_of(path)) inputs_.emplace(*id, path);
-    }
+  Rejections(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out)
+      : out_(out), has_out_(std::filesystem::exists(out)) {
+    for (const auto& of_input : jobs) paths_.push_back(of_input.front().path);
   }
 
   /// Empty where the job can be done; then its output is taken.
@@ -86,16 +94,28 @@ class Rejections {
              "'; process it in another run with another --out";
     }
     for (const std::string& name : {job.output, job.overlay}) {
+      if (!has_out_ || name.empty()) continue;
       const auto id = id_of(std::filesystem::path(out_) / name);
-      if (!id || !inputs_.contains(*id)) continue;
-      return "the result of '" + job.path + "' would replace the input '" + inputs_.at(*id) +
+      if (!id || !inputs().contains(*id)) continue;
+      return "the result of '" + job.path + "' would replace the input '" + inputs().at(*id) +
              "'; choose another --out";
     }
     return {};
   }
 
  private:
+  /// Where there is an output, it may be one of them.
+  const std::map<FileId, std::string>& inputs() {
+    if (!inputs_.empty()) return inputs_;
+    for (const std::string& path : paths_) {
+      if (const auto id = id_of(path)) inputs_.emplace(*id, path);
+    }
+    return inputs_;
+  }
+
+  std::vector<std::string> paths_;
   std::string out_;
+  bool has_out_;
   std::map<FileId, std::string> inputs_;
   std::unordered_map<std::string, std::string> input_of_;
 };

@@ -16,7 +16,6 @@ struct BatchJob {
   std::string overlay;  // the same; empty: none
   int first_page = 0;
   int pages = 1;
-  bool one_of_several = false;  // the file has more than one page
 };
 
 struct Shard {

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "support/regular_file.hpp"
+#include "support/file_bytes.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -34,9 +34,9 @@ Manifest::Manifest(std::string path, bool resumes)
 
 void Manifest::read_lines() {
   constexpr std::size_t max_bytes = 10'000'000'000;
-  const std::string text = read_whole_file(path_, max_bytes);
+  const FileBytes file = read_file(path_, max_bytes);
   try {
-    ManifestText manifest = parse_manifest(text, format_);
+    ManifestText manifest = parse_manifest(file.text(), format_);
     size_ = manifest.size;
     for (ManifestLine& line : manifest.lines) {
       const Key key(line.output, line.page);

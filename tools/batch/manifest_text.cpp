@@ -41,7 +41,7 @@ Json json_of(const BatchRecord& record) {
           {"width", was_read ? Json(record.width) : Json()},
           {"height", was_read ? Json(record.height) : Json()},
           {"foreground", json_or_null(record.foreground)},
-          {"threshold", json_or_null(record.threshold)},
+          {"threshold", record.threshold ? json_number(*record.threshold) : Json()},
           {"iterations", json_or_null(record.iterations)},
           {"foreground_before", json_or_null(record.foreground_before)},
           {"foreground_after", json_or_null(record.foreground_after)},

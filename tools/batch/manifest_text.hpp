@@ -22,7 +22,7 @@ struct BatchRecord {
   Index width = 0;        // 0 where the image could not be read, as is the height
   Index height = 0;
   std::optional<std::string> foreground;  // bright or dark
-  std::optional<int> threshold;           // bright are grey levels from here on
+  std::optional<double> threshold;        // bright are grey levels from here on
   std::optional<int> iterations;
   std::optional<std::int64_t> foreground_before;  // pixels of the input's foreground
   std::optional<std::int64_t> foreground_after;   // pixels of the result

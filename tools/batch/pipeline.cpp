@@ -27,7 +27,7 @@ constexpr std::size_t kJobsPerThread = 4;
 
 struct Page {
   BatchRecord record;
-  ByteImage grey;
+  GreyImage grey;
   BatchResult result;
 };
 
@@ -137,12 +137,11 @@ class Batch {
     for (Page& page : work.pages) {
       const Stopwatch stopwatch(page.record.decode_seconds);
       const BatchJob& job = *work.job;
-      const auto number = job.one_of_several ? std::optional(page.record.page - 1) : std::nullopt;
-      GreyFile file = read_grey_file(job.path, number, settings_.reading);
+      GreyFile file = read_grey_file(read_file(job.path), page.record.page - 1, settings_.reading);
       page.grey = std::move(file.grey);
       page.record.warning = std::move(file.warning);
-      page.record.width = page.grey.width();
-      page.record.height = page.grey.height();
+      page.record.width = page.grey.width;
+      page.record.height = page.grey.height;
     }
   }
 

@@ -24,7 +24,7 @@ struct BatchResult {
 
 /// Computes one page and describes it in the record. Owns memory, so that each thread needs its
 /// own.
-using BatchCompute = std::function<BatchResult(ByteImage grey, BatchRecord& record)>;
+using BatchCompute = std::function<BatchResult(GreyImage grey, BatchRecord& record)>;
 
 struct BatchOperation {
   std::string name;  // with the options that change its result

@@ -12,7 +12,7 @@
 
 #include "cli/names.hpp"
 #include "cli/usage.hpp"
-#include "images/image_file.hpp"
+#include "images/codecs.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/options.hpp"
@@ -156,9 +156,9 @@ void check_streams(bool json, const std::vector<std::string>& images) {
   throw UsageError("--json is printed on standard output, so an image needs the name of a file");
 }
 
-void check_replaced(const std::string& in, const std::string& out) {
+void check_replaced(const FileBytes& in, const std::string& out) {
   std::error_code ignored;
-  if (!std::filesystem::equivalent(in, out, ignored)) return;
+  if (!std::filesystem::equivalent(in.name(), out, ignored)) return;
   const int pages = page_count(in);
   if (pages == 1) return;
   throw UsageError(fmt::format(
@@ -185,7 +185,7 @@ namespace {
 
 constexpr const char* kOtsu = "otsu";
 constexpr const char* kLocal = "local";
-constexpr int kMaxLevel = 255;
+constexpr int kMaxLevel = 65535;
 
 CLI::Option* add_foreground(CLI::App& app, Foreground& foreground) {
   const std::vector<std::string_view> names(kForegroundNames.begin(), kForegroundNames.end());
@@ -211,7 +211,8 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
   return app
       .add_option_function<std::string>(
           "--threshold", set,
-          "Bright are grey levels >= N, 0 to 255; otsu: the level that separates the two classes "
+          "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that "
+          "separates the two classes "
           "best; local: for uneven light, the mean of the window around each pixel")
       ->check(integer_or(0, kMaxLevel, {kOtsu, kLocal}))
       ->type_name("N|otsu|local")
@@ -228,6 +229,7 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
       }
       if (!options.local) options.local.emplace();
       (*options.local).*member = std::stoi(text);
+      if (member == &LocalThreshold::offset) options.has_offset = true;
     };
   };
   CLI::Option* const window =
@@ -238,26 +240,44 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
           ->check(odd_number(3, 65535))
           ->type_name("N");
   CLI::Option* const offset =
-      app.add_option_function<std::string>(
-             "--offset", set("--offset", &LocalThreshold::offset),
-             "How far foreground is above or below the mean, 0 to 255 (default: 10)")
+      app.add_option_function<std::string>("--offset", set("--offset", &LocalThreshold::offset),
+                                           "How far foreground is above or below the mean, 0 to "
+                                           "65535 (default: 10, of 16 bits as "
+                                           "large a share of their range)")
           ->check(whole_number(0, kMaxLevel))
           ->type_name("N");
   return {window, offset};
 }
 
-CLI::Option* add_channel(CLI::App& app, Channel& channel) {
-  const std::vector<std::string_view> names(kChannelNames.begin(), kChannelNames.end());
-  const auto set = [&channel](const std::string& name) {
-    channel = channel_from_name(name).value();
+constexpr const char* kOpacity = "alpha";
+
+CLI::Option* add_channel(CLI::App& app, GreyChoice& choice) {
+  std::vector<std::string_view> names(kChannelNames.begin(), kChannelNames.end());
+  const auto set = [&choice](const std::string& name) {
+    choice.opacity = name == kOpacity;
+    if (!choice.opacity) choice.channel = channel_from_name(name).value();
   };
+  names.emplace_back(kOpacity);
   return app
       .add_option_function<std::string>("--channel", set,
                                         "What becomes the grey level of a colour; auto: what "
-                                        "separates the two classes best")
+                                        "separates the two classes best; alpha: the opacity")
       ->check(one_of(names))
-      ->type_name("grey|red|green|blue|saturation|value|auto")
+      ->type_name("grey|red|green|blue|saturation|value|auto|alpha")
       ->default_str(std::string(names.front()));
+}
+
+CLI::Option* add_background(CLI::App& app, std::optional<Backdrop>& backdrop) {
+  const auto set = [&backdrop](const std::string& name) {
+    backdrop = name == "white" ? Backdrop::white : Backdrop::black;
+  };
+  return app
+      .add_option_function<std::string>(
+          "--background", set,
+          "What shows through where an image is transparent (default: the colours stored there, of "
+          "TIFF black)")
+      ->check(one_of({"white", "black"}))
+      ->type_name("white|black");
 }
 
 /// From "10,20,300x200".
@@ -337,11 +357,11 @@ void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* 
   CLI::Option* const threshold = add_threshold(app, options);
   std::vector<CLI::Option*> all = add_local(app, options, threshold);
   all.insert(all.begin(), {add_foreground(app, options.foreground), threshold});
-  all.insert(all.end(), {add_channel(app, options.channel), add_blur(app, options.blur),
-                         add_crop(app, options.crop)});
+  all.insert(all.end(), {add_channel(app, options.grey), add_background(app, options.grey.backdrop),
+                         add_blur(app, options.grey.blur), add_crop(app, options.grey.crop)});
   all.push_back(
       app.add_flag("--lenient", options.lenient,
-                   "Read corrupt and truncated JPEG files as far as possible, with a warning"));
+                   "Read damaged JPEG and TIFF files as far as possible, with a warning"));
   if (image == nullptr) return;
   for (CLI::Option* option : all) option->needs(image);
 }
@@ -356,12 +376,14 @@ std::string binarise_words(const BinariseOptions& options) {
     words.append(" --threshold local --window ").append(std::to_string(options.local->window));
     words.append(" --offset ").append(std::to_string(options.local->offset));
   }
-  if (options.channel != Channel::grey) {
-    words.append(" --channel ").append(channel_name(options.channel));
-  }
+  const auto& [channel, opacity, backdrop, crop, blur] = options.grey;
+  if (opacity) words.append(" --channel ").append(kOpacity);
+  if (!opacity && channel != Channel::grey)
+    words.append(" --channel ").append(channel_name(channel));
+  if (backdrop)
+    words.append(*backdrop == Backdrop::white ? " --background white" : " --background black");
   std::ostringstream numbers;
-  const Crop& crop = options.crop;
-  if (options.blur > 0) numbers << " --blur " << fmt::to_string(options.blur);
+  if (blur > 0) numbers << " --blur " << fmt::to_string(blur);
   if (crop.height > 0) {
     numbers << " --crop " << crop.x << ',' << crop.y << ',' << crop.width << 'x' << crop.height;
   }

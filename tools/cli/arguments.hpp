@@ -55,7 +55,7 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
 void check_streams(bool json, const std::vector<std::string>& images);
 
 /// Throws UsageError where OUT, of one page, would replace IN, of several.
-void check_replaced(const std::string& in, const std::string& out);
+void check_replaced(const FileBytes& in, const std::string& out);
 
 /// The image that a command reads.
 void add_input(CLI::App& app, std::string& in);

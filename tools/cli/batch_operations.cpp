@@ -27,7 +27,7 @@ constexpr const char* kGraph = "graph";
 /// What the record of every operation says of the input.
 void describe(const BinaryImage& binary, const BinariseOptions& options, BatchRecord& record) {
   record.foreground = std::string(foreground_name(binary.foreground));
-  record.threshold = binary.threshold;
+  record.threshold = binary.number_of(binary.threshold);
   record.foreground_before = foreground_pixels(binary.image.view());
   std::vector<std::string> texts = warnings(binary, options);
   if (!record.warning.empty()) texts.insert(texts.begin(), record.warning);  // of the decoder
@@ -52,7 +52,7 @@ class ThinningCompute {
   ThinningCompute(RequestedThinning thinning, BinariseOptions binarise)
       : thinning_(std::move(thinning)), binarise_(binarise) {}
 
-  BatchResult operator()(ByteImage grey, BatchRecord& record) {
+  BatchResult operator()(GreyImage grey, BatchRecord& record) {
     BinaryImage binary = binarise(std::move(grey), binarise_);
     describe_regions(binary, binarise_, {}, record);
     const ImageView image = binary.image.view();
@@ -86,7 +86,7 @@ BatchOperation thinning_operation(const BatchOperationRequest& request) {
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
 
-BatchResult compute_scan(ByteImage grey, BatchRecord& record, const RequestedScan& scan,
+BatchResult compute_scan(GreyImage grey, BatchRecord& record, const RequestedScan& scan,
                          const BinariseOptions& options) {
   BinaryImage binary = binarise(std::move(grey), options);
   describe_regions(binary, options, {}, record);
@@ -98,16 +98,18 @@ BatchResult compute_scan(ByteImage grey, BatchRecord& record, const RequestedSca
 
 BatchOperation scan_operation(const BatchOperationRequest& request) {
   const auto compute = [scan = requested_scan(request.thinning), options = request.binarise](
-                           ByteImage grey, BatchRecord& record) {
+                           GreyImage grey, BatchRecord& record) {
     return compute_scan(std::move(grey), record, scan, options);
   };
   return {std::string(kScanOperation) + thinning_words(request.thinning),
           [compute] { return compute; }};
 }
 
-BatchResult compute_edges(ByteImage grey, BatchRecord& record, const BatchOperationRequest& request,
-                          EdgeOperator op) {
-  const BinaryImage binary = binarise(copy_of(grey.view()), request.binarise);
+BatchResult compute_edges(GreyImage levels, BatchRecord& record,
+                          const BatchOperationRequest& request, EdgeOperator op) {
+  levels = in_bytes(std::move(levels));
+  const BinaryImage binary = binarise(copy_of(levels), request.binarise);
+  ByteImage& grey = levels.bytes;
   describe_regions(binary, request.binarise, {}, record);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
   ByteImage edges(grey.width(), grey.height());
@@ -120,7 +122,7 @@ BatchOperation edges_operation(const BatchOperationRequest& request) {
   const std::string& name = request.thinning.rule;
   const EdgeOperator op =
       name == kEdges ? EdgeOperator::sobel : edge_operator_from_name(name).value();
-  const auto compute = [request, op](ByteImage grey, BatchRecord& record) {
+  const auto compute = [request, op](GreyImage grey, BatchRecord& record) {
     return compute_edges(std::move(grey), record, request, op);
   };
   return {std::string(edge_operator_info(op).operation) + edge_words(request.edges),
@@ -136,7 +138,7 @@ RegionRequest region_request(const BatchOperationRequest& request) {
           .execution = request.thinning.execution};
 }
 
-BatchResult compute_regions(ByteImage grey, BatchRecord& record, const RegionRequest& request) {
+BatchResult compute_regions(GreyImage grey, BatchRecord& record, const RegionRequest& request) {
   BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);
   describe(binary, request.binarise, record);
   DrawnRegions drawn =
@@ -147,7 +149,7 @@ BatchResult compute_regions(ByteImage grey, BatchRecord& record, const RegionReq
 }
 
 BatchOperation regions_operation(const BatchOperationRequest& request) {
-  const auto compute = [of = region_request(request)](ByteImage grey, BatchRecord& record) {
+  const auto compute = [of = region_request(request)](GreyImage grey, BatchRecord& record) {
     return compute_regions(std::move(grey), record, of);
   };
   const std::string area =
@@ -155,25 +157,25 @@ BatchOperation regions_operation(const BatchOperationRequest& request) {
   return {request.thinning.rule + edge_words(request.edges) + area, [compute] { return compute; }};
 }
 
-BatchResult compute_graph(ByteImage grey, BatchRecord& record,
+BatchResult compute_graph(GreyImage grey, BatchRecord& record,
                           const BatchOperationRequest& request) {
-  check_graph_size(record.file, grey.width(), grey.height());
+  check_graph_size(record.file, grey.width, grey.height);
   const bool draws = !request.overlay.empty();
-  const BinaryImage binary =
-      binarise(draws ? copy_of(grey.view()) : std::move(grey), request.binarise);
+  const BinaryImage binary = binarise(draws ? copy_of(grey) : std::move(grey), request.binarise);
   describe_regions(binary, request.binarise, {}, record);
   ByteImage skeleton = skeleton_of(binary.image, request.graph);
   const FoundGraph found =
       find_graph(binary.image, skeleton, {record.file, record.page}, request.graph);
   record.foreground_after = foreground_pixels(skeleton.view());
-  BatchResult result = {{}, json_text(graph_json(found)), std::move(grey), {}};
+  BatchResult result = {{}, json_text(graph_json(found)), {}, {}};
+  if (draws) result.ground = in_bytes(std::move(grey)).bytes;
   if (draws) result.overlay = graph_overlay(found);
   return result;
 }
 
 BatchOperation graph_operation(const BatchOperationRequest& request) {
   const std::string contents = checked_thinning(request.graph);
-  const auto compute = [request](ByteImage grey, BatchRecord& record) {
+  const auto compute = [request](GreyImage grey, BatchRecord& record) {
     return compute_graph(std::move(grey), record, request);
   };
   return {kGraph + graph_words(request.graph) + contents, [compute] { return compute; }};
@@ -228,7 +230,7 @@ BatchOperation batch_operation(const BatchOperationRequest& request) {
   operation.name += binarise_words(request.binarise) + overlay;
   // On any image: rejects an ISA that it lacks before a file is written.
   BatchRecord ignored;
-  static_cast<void>(operation.make()(ByteImage(8, 8), ignored));
+  static_cast<void>(operation.make()(GreyImage(ByteImage(8, 8)), ignored));
   return operation;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
+#include "support/text.hpp"
 #include "support/timing.hpp"
 
 namespace thinbench {
@@ -35,10 +36,12 @@ EdgeOperator operator_named(const std::string& name) {
 int run(const EdgesOptions& options, const Console& console) {
   const EdgeOperator op = operator_named(options.op);
   check_extension(options.out);
-  check_replaced(options.in, options.out);
+  FileBytes file = read_input(options.in);
+  check_replaced(file, options.out);
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
+  GreyImage levels = in_bytes(read_levels(std::move(file), options.binarise, remarks));
+  BinaryImage binary = binarise(copy_of(levels), options.binarise);
+  ByteImage& grey = levels.bytes;
   print_remarks(options.in, binary, options.binarise, remarks);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, options.edges);
   binary.image = {};  // its memory is for the edges

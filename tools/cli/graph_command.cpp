@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -39,6 +40,11 @@ struct GraphCommandOptions {
   std::string summary;
   std::string geojson;
   std::string overlay;
+
+  /// Neither a transform nor a spacing was given, so that those of a map are taken.
+  [[nodiscard]] bool has_plain_coordinates() const {
+    return transform.empty() && request.pruning.spacing == Spacing{};
+  }
 };
 
 AffineTransform transform_of(const GraphCommandOptions& options) {
@@ -60,7 +66,6 @@ void check_names(const GraphCommandOptions& options) {
   }
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);
   check_streams(options.json, {options.out, options.overlay});
-  check_replaced(options.in, options.out);
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }
@@ -119,7 +124,8 @@ void write_files(const GraphCommandOptions& options, const FoundGraph& found,
   if (!options.csv.empty()) write_whole_file(options.csv, csv_text(graph_json(found)));
   if (!options.summary.empty()) write_whole_file(options.summary, graph_summary(found));
   if (!options.geojson.empty()) {
-    write_whole_file(options.geojson, graph_geojson(found, transform_of(options)));
+    const AffineTransform transform = found.place ? found.place->transform : transform_of(options);
+    write_whole_file(options.geojson, graph_geojson(found, transform));
   }
   if (!options.overlay.empty()) write_overlay(options.overlay, grey.view(), graph_overlay(found));
 }
@@ -134,18 +140,34 @@ void check_size(const GraphCommandOptions& options, Index width, Index height) {
   check_transform(transform_of(options), options, width, height);
 }
 
+/// Coordinates of a map are those of GeoJSON, unless others were asked for.
+void take_place(const std::optional<GeoReference>& place, const GraphCommandOptions& options,
+                FoundGraph& found, std::ostream& remarks) {
+  if (!place || options.geojson.empty() || !options.has_plain_coordinates()) return;
+  found.place = place;
+  const std::string system = place->epsg == 0 ? "" : fmt::format(", EPSG:{}", place->epsg);
+  remarks << fmt::format(
+      "note: {}: coordinates in {} are those of its GeoTIFF tags{}; --transform "
+      "overrides this\n",
+      options.in, options.geojson, system);
+}
+
 FoundGraph graph_of_image(const GraphCommandOptions& options, std::ostream& remarks) {
-  ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  check_size(options, grey.width(), grey.height());
+  FileBytes file = read_input(options.in);
+  check_replaced(file, options.out);
+  GreyImage grey = read_levels(std::move(file), options.binarise, remarks);
+  check_size(options, grey.width, grey.height);
+  const std::optional<GeoReference> place = grey.place;
   const bool draws = !options.overlay.empty();
-  BinaryImage binary = binarise(draws ? copy_of(grey.view()) : std::move(grey), options.binarise);
+  BinaryImage binary = binarise(draws ? copy_of(grey) : std::move(grey), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
   ByteImage skeleton = skeleton_of(binary.image, options.request);
   check_thin(skeleton, options, remarks);
   const ByteImage image = image_of_widths(std::move(binary.image), options, remarks);
   FoundGraph found = find_graph(image, skeleton, {options.in}, options.request);
   if (!options.out.empty()) write_grey(options.out, skeleton.view());
-  write_files(options, found, grey);
+  take_place(place, options, found, remarks);
+  write_files(options, found, draws ? in_bytes(std::move(grey)).bytes : ByteImage());
   return found;
 }
 
@@ -161,21 +183,24 @@ ByteImage drawing_of(const LabelPixels& objects) {
 
 LabelPixels objects_of_widths(LabelPixels labels, const GraphCommandOptions& options) {
   if (options.image.empty()) return labels;
-  LabelPixels objects = read_labels(options.image);
+  LabelPixels objects = read_labels(read_input(options.image));
   check_same_size(options, {objects.width, objects.height}, {labels.width, labels.height});
   return objects;
 }
 
-FoundGraph graph_of_labelled(const GraphCommandOptions& options) {
-  LabelPixels labels = read_labels(options.in);
+FoundGraph graph_of_labelled(const GraphCommandOptions& options, std::ostream& remarks) {
+  FileBytes file = read_input(options.in);
+  check_replaced(file, options.out);
+  LabelPixels labels = read_labels(file);
   check_size(options, labels.width, labels.height);
   LabelPixels skeletons = skeletons_of(labels, options.request);
+  const std::optional<GeoReference> place = labels.place;
   const LabelPixels objects = objects_of_widths(std::move(labels), options);
   FoundGraph found = find_graphs(objects, skeletons, {options.in}, options.request);
   if (!options.out.empty()) {
-    const std::vector<std::uint16_t> levels(skeletons.labels.begin(), skeletons.labels.end());
-    write_deep(options.out, {levels.data(), skeletons.width, skeletons.height});
+    write_labels(options.out, skeletons.view());
   }
+  take_place(place, options, found, remarks);
   write_files(options, found, drawing_of(objects));
   return found;
 }
@@ -199,7 +224,7 @@ int run(const GraphCommandOptions& given, const Console& console) {
   const GraphCommandOptions options = checked(given);
   std::ostringstream remarks;  // failures are one line, without them
   const FoundGraph found =
-      options.has_labels ? graph_of_labelled(options) : graph_of_image(options, remarks);
+      options.has_labels ? graph_of_labelled(options, remarks) : graph_of_image(options, remarks);
   console.err << remarks.str();
   list_stream(console, options) << (options.json ? json_text(graph_json(found))
                                                  : graph_list(found));
@@ -217,7 +242,7 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
   CLI::Option* const geojson = add("--geojson", options.geojson, "GeoJSON file to write");
   app.add_option("--transform", options.transform,
                  "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F (default: by the "
-                 "spacing, DX,0,0,0,DY,0)")
+                 "tags of a GeoTIFF or by the spacing, DX,0,0,0,DY,0)")
       ->needs(geojson)
       ->type_name("NUMBERS");
   add_overlay_option(app, options.overlay);

@@ -219,12 +219,14 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
         "LineString", positions(found.lines[i], [&](Pixel p) { return position(p.x, p.y); }),
         properties_of(found, i)));
   }
-  return Json{{"type", "FeatureCollection"},
-              {"spacing", spacing_json(found)},
-              {"unit", unit_json(found)},
-              {"features", features}}
-             .dump() +
-         '\n';
+  Json json = {
+      {"type", "FeatureCollection"}, {"spacing", spacing_json(found)}, {"unit", unit_json(found)}};
+  if (found.place && found.place->epsg != 0) {
+    const std::string name = fmt::format("urn:ogc:def:crs:EPSG::{}", found.place->epsg);
+    json["crs"] = {{"type", "name"}, {"properties", {{"name", name}}}};
+  }
+  json["features"] = std::move(features);
+  return json.dump() + '\n';
 }
 
 Overlay graph_overlay(const FoundGraph& found) {

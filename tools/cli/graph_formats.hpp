@@ -10,6 +10,7 @@
 
 #include "cli/tables.hpp"
 #include "images/overlay.hpp"
+#include "images/pixels.hpp"
 #include "thinbench/graph.hpp"
 #include "thinbench/graph_paths.hpp"
 
@@ -27,8 +28,9 @@ struct FoundGraph {
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
   Spacing spacing;
   std::string unit;
-  std::vector<GraphPath> main_paths;  // of the components, if asked for
-  std::vector<std::int32_t> labels;   // of the nodes, if the image has labels
+  std::vector<GraphPath> main_paths;                 // of the components, if asked for
+  std::vector<std::int32_t> labels;                  // of the nodes, if the image has labels
+  std::optional<GeoReference> place = std::nullopt;  // of GeoJSON, if the image is a map
 };
 
 /// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON. Texts

@@ -34,10 +34,11 @@ PackedFormat raw_format(const PackedOptions& options) {
       *height > max_side / *width) {
     throw UsageError("--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '" + options.raw + "'");
   }
-  return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first};
+  return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first,
+          0};
 }
 
-PackedFormat format_of(const PackedOptions& options, const std::string& in) {
+PackedFormat format_of(const PackedOptions& options, const FileBytes& in) {
   return options.raw.empty() ? pbm_format(in) : raw_format(options);
 }
 
@@ -60,19 +61,12 @@ bool is_packed_run(const PackedOptions& options, const std::string& out) {
   return !options.raw.empty() || extension_of(out) == ".pbm";
 }
 
-int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
-               const ThinningFiles& files, const Console& console) {
-  if (files.in == kStandardStream) {
-    int status = kFailure;
-    read_standard_input([&](const std::string& copy) {
-      status = run_packed(options, thinning, {copy, files.out}, console);
-    });
-    return status;
-  }
-  if (files.out != kStandardStream) check_target(files.out);
-  const PackedFormat format = format_of(options, files.in);
-  const std::string summary = thin_packed_file(thinning, files, format);
-  summary_stream(console, files.out) << summary << '\n';
+int run_packed(const PackedOptions& options, const RequestedThinning& thinning, FileBytes in,
+               const std::string& out, const Console& console) {
+  if (out != kStandardStream) check_target(out);
+  const PackedFormat format = format_of(options, in);
+  const std::string summary = thin_packed_file(thinning, std::move(in), out, format);
+  summary_stream(console, out) << summary << '\n';
   return kSuccess;
 }
 

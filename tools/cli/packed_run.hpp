@@ -22,7 +22,7 @@ void add_packed_options(CLI::App& app, PackedOptions& options);
 [[nodiscard]] bool is_packed_run(const PackedOptions& options, const std::string& out);
 
 /// Thins and prints the summary.
-int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
-               const ThinningFiles& files, const Console& console);
+int run_packed(const PackedOptions& options, const RequestedThinning& thinning, FileBytes in,
+               const std::string& out, const Console& console);
 
 }  // namespace thinbench

@@ -1,20 +1,22 @@
-// thinbench run on TIFF images of 1 bit per pixel: without a byte image in between.
+// thinbench run on TIFF images of one bit per pixel: without a byte image in between.
 #pragma once
 
 #include <string>
 
+#include "cli/command.hpp"
 #include "cli/packed_run.hpp"
-#include "images/binarise.hpp"
+#include "images/tiff.hpp"
 
 namespace thinbench {
 
-/// Whether a run goes from such an image to another.
-[[nodiscard]] bool is_tiff_run(const PackedOptions& options, const BinariseOptions& binarise,
-                               const ThinningFiles& files);
+/// The image that stays packed, if OUT is TIFF, IN has one bit per pixel and no option needs grey
+/// levels. Throws FileError where IN is damaged.
+[[nodiscard]] std::optional<PackedPage> packed_tiff(const PackedOptions& options,
+                                                    const BinariseOptions& binarise,
+                                                    const FileBytes& in, const std::string& out);
 
-/// Thins and prints remarks and the summary. Pixels and remarks are those of the
-/// same image read as a grey one.
-int run_tiff(const RequestedThinning& thinning, const BinariseOptions& binarise,
+/// Thins and prints the summary. `name` is that of IN.
+int run_tiff(const RequestedThinning& thinning, const BinariseOptions& binarise, PackedPage page,
              const ThinningFiles& files, const Console& console);
 
 }  // namespace thinbench

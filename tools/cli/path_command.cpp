@@ -75,12 +75,13 @@ int run(const PathOptions& options, const Console& console) {
   check_streams(options.json, {options.overlay});
   check_outputs({options.in}, {options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);
+  GreyImage grey = read_levels(read_input(options.in), options.binarise, remarks);
+  const BinaryImage map = binarise(copy_of(grey), options.binarise);
   print_remarks(options.in, map, options.binarise, remarks);
   const FoundPath path = path_through(map, request, options);
   if (!options.overlay.empty()) {
-    write_overlay(options.overlay, grey.view(), path_overlay(path.pixels, options.width));
+    write_overlay(options.overlay, in_bytes(std::move(grey)).bytes.view(),
+                  path_overlay(path.pixels, options.width));
   }
   console.err << remarks.str();
   summary_stream(console, options.overlay)

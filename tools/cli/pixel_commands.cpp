@@ -30,15 +30,17 @@ struct PixelOptions {
   int connectivity = 8;
   std::int64_t max_area = kAnyHoleArea;  // of holes to fill
   Spacing spacing;
+  bool real = false;  // distances as real numbers
 };
 
 /// Writes the result of an image and says in a line what it is.
 using Compute = std::function<std::string(ByteImage image, const PixelOptions& options)>;
 
 int run(const PixelOptions& options, const Compute& compute, const Console& console) {
-  check_replaced(options.in, options.out);
+  FileBytes file = read_input(options.in);
+  check_replaced(file, options.out);
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage image = read_binary(options.in, options.binarise, &remarks);
+  ByteImage image = read_binary(std::move(file), options.binarise, remarks);
   const std::string line = compute(std::move(image), options);
   console.err << remarks.str();
   summary_stream(console, options.out) << line << '\n';
@@ -63,15 +65,6 @@ std::string euler(const ByteImage& image, const PixelOptions& options) {
   return fmt::format("{}", euler_number(image.view(), connectivity_of(options), options.execution));
 }
 
-/// Numbers that fit into 16 bits, written as such.
-template <class T, class Level>
-void write_levels(const std::string& path, const std::vector<T>& values, Index width, Index height,
-                  const Level& level_of) {
-  std::vector<std::uint16_t> levels(values.size());
-  std::transform(values.begin(), values.end(), levels.begin(), level_of);
-  write_deep(path, {levels.data(), width, height});
-}
-
 std::string labelled(const ByteImage& image, const PixelOptions& options) {
   check_deep_extension(options.out);
   const Index width = image.width(), height = image.height();
@@ -79,18 +72,43 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
   const std::uint32_t objects =
       label_image(image.view(), {labels.data(), width, height}, connectivity_of(options),
                   LabelOrder::pixels, options.execution);
-  constexpr std::uint32_t kMaxObjects = 65535;
-  if (objects > kMaxObjects) {
-    throw FileError(fmt::format("{}: it has {} objects, more than {}, the most that 16 bits number",
-                                options.in, objects, kMaxObjects));
-  }
-  write_levels(options.out, labels, width, height,
-               [](std::int32_t label) { return static_cast<std::uint16_t>(label); });
+  write_labels(options.out, {labels.data(), width, height});
   return fmt::format("labels: {} x {}, {}", width, height, counted(objects, "object"));
 }
 
+/// Distances as they are, or rounded to 16 bits.
+void write_distances(const std::vector<double>& found, const PixelOptions& options, Index width,
+                     Index height) {
+  if (options.real) {
+    const std::vector<float> reals(found.begin(), found.end());
+    return write_reals(options.out, {reals.data(), width, height});
+  }
+  std::vector<std::uint16_t> levels(found.size());
+  std::ranges::transform(found, levels.begin(),
+                         [](double d) { return static_cast<std::uint16_t>(std::lround(d)); });
+  write_deep(options.out, {levels.data(), width, height});
+}
+
+/// What rounding would lose.
+void check_range(double greatest, const PixelOptions& options) {
+  constexpr double kMaxLevel = 65535;
+  if (options.real) return;
+  if (std::round(greatest) > kMaxLevel) {
+    throw FileError(fmt::format(
+        "{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}; --float "
+        "writes real numbers",
+        options.in, kMaxLevel, greatest));
+  }
+  if (greatest > 0 && std::round(greatest) == 0) {
+    throw FileError(fmt::format(
+        "{}: the greatest distance is {:.6g}, so all become 0; give --spacing in a smaller "
+        "unit, or --float",
+        options.in, greatest));
+  }
+}
+
 std::string distance_levels(const ByteImage& image, const PixelOptions& options) {
-  check_deep_extension(options.out);
+  (options.real ? check_real_extension : check_deep_extension)(options.out);
   const Index width = image.width(), height = image.height();
   if (std::max(width, height) > kMaxDistanceSide) {
     throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
@@ -102,19 +120,8 @@ std::string distance_levels(const ByteImage& image, const PixelOptions& options)
   if (std::isinf(greatest)) {
     throw FileError(options.in + ": all of it is foreground, so there is no distance");
   }
-  constexpr double kMaxLevel = 65535;
-  if (std::round(greatest) > kMaxLevel) {
-    throw FileError(
-        fmt::format("{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}",
-                    options.in, kMaxLevel, greatest));
-  }
-  if (greatest > 0 && std::round(greatest) == 0) {
-    throw FileError(fmt::format(
-        "{}: the greatest distance is {:.6g}, so all become 0; give --spacing in a smaller unit",
-        options.in, greatest));
-  }
-  write_levels(options.out, found, width, height,
-               [](double distance) { return static_cast<std::uint16_t>(std::lround(distance)); });
+  check_range(greatest, options);
+  write_distances(found, options, width, height);
   return fmt::format("distance: {} x {}, the greatest is {:.2f}", width, height, greatest);
 }
 
@@ -148,7 +155,10 @@ Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
         ->check(whole_number(1, kMaxImagePixels))
         ->type_name("N");
   }
-  if (command.has_spacing) add_spacing_option(*app, options->spacing);
+  if (command.has_spacing) {
+    add_spacing_option(*app, options->spacing);
+    app->add_flag("--float", options->real, "Write real numbers of 32 bits, as .tif");
+  }
   add_isa_option(*app, options->execution.isa);
   add_threads_option(*app, options->execution.threads);
   add_binarise_options(*app, options->binarise);
@@ -185,7 +195,7 @@ Command add_labels_command(CLI::App& program) {
   thinbench labels parts.png labels.tif --connectivity 4
 
 OUT holds the number of each pixel's object, from 1 in the order of 'thinbench holes', and 0 elsewhere.
-An image of more than 65535 objects is rejected.)",
+More than 65535 objects need .tif, which then has 32 bits.)",
                 labelled});
 }
 

@@ -11,7 +11,6 @@
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
 #include "cli/reported.hpp"
-#include "images/image_file.hpp"
 #include "support/unfinished_file.hpp"
 #include "thinbench/isa.hpp"
 #include "thinbench/version.hpp"
@@ -24,7 +23,8 @@ class Program {
  public:
   Program(const ProgramInfo& info, const Console& console)
       : app_(info.description, info.name), console_(console) {
-    app_.set_version_flag("--version", info.name + " " + std::string(kVersion), "Print the version");
+    app_.set_version_flag("--version", info.name + " " + std::string(kVersion),
+                          "Print the version");
     app_.require_subcommand(1);
     app_.footer(info.footer);
     for (const auto add : info.commands) commands_.push_back(add(app_));
@@ -117,8 +117,6 @@ class Program {
 int run_program(const ProgramInfo& program, const std::vector<std::string>& args, std::ostream& out,
                 std::ostream& err) {
   const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
-  // Threads of OpenCV would need memory that may be short, and share no work that takes long.
-  const OneThreadPerImage one_thread;
   return run_and_report(program.name, out, err, [&] {
     return Program(program, {out, err, err_is_terminal}).run(args);
   });

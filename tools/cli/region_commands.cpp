@@ -38,7 +38,7 @@ int run(RegionOptions options, const Console& console) {
   check_streams(options.json, {options.overlay});
   check_outputs({options.in}, {options.csv, options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage grey = read_grey(options.in, request.binarise, remarks);
+  GreyImage grey = read_levels(read_input(options.in), request.binarise, remarks);
   BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);
   print_remarks(options.in, binary, request.binarise, remarks);
   const DrawnRegions drawn =

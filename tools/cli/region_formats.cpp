@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/json_field.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -51,7 +53,8 @@ std::vector<std::vector<std::size_t>> holes_by_object(const Regions& found) {
 
 ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options) {
   if (options.local) return {binary.foreground, std::nullopt, "local"};
-  return {binary.foreground, binary.threshold, options.threshold ? "given" : "otsu"};
+  return {binary.foreground, binary.number_of(binary.threshold),
+          options.threshold ? "given" : "otsu"};
 }
 
 std::string regions_list(const Regions& found) {
@@ -77,7 +80,7 @@ Json regions_json(const FoundRegions& found) {
           {"width", found.width},
           {"height", found.height},
           {"foreground", foreground_name(choice.foreground)},
-          {"threshold", choice.threshold ? Json(*choice.threshold) : Json()},
+          {"threshold", choice.threshold ? json_number(*choice.threshold) : Json()},
           {"threshold_method", choice.method},
           {"min_area", found.min_area},
           {"objects", objects_json(found.regions)}};

@@ -16,8 +16,8 @@ namespace thinbench {
 /// What the JSON says of the foreground.
 struct ForegroundChoice {
   Foreground foreground;
-  std::optional<int> threshold;  // nothing where it is local
-  const char* method;            // "given", "otsu" or "local"
+  std::optional<double> threshold;  // nothing where it is local
+  const char* method;               // "given", "otsu" or "local"
 };
 
 [[nodiscard]] ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options);

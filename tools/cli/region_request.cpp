@@ -29,18 +29,22 @@ AllRegions by_edges(ByteImage grey, BinaryImage binary, const RegionRequest& req
 
 }  // namespace
 
-ByteImage image_to_binarise(ByteImage& grey, const RegionRequest& request) {
-  return request.localises || request.draws ? copy_of(grey.view()) : std::move(grey);
+GreyImage image_to_binarise(GreyImage& grey, const RegionRequest& request) {
+  if (request.localises) grey = in_bytes(std::move(grey));
+  return request.localises || request.draws ? copy_of(grey) : std::move(grey);
 }
 
-DrawnRegions find_regions_in(ByteImage grey, BinaryImage binary, const ImagePage& page,
+DrawnRegions find_regions_in(GreyImage grey, BinaryImage binary, const ImagePage& page,
                              const RegionRequest& request) {
   const ForegroundChoice choice = choice_of(binary, request.binarise);
   DrawnRegions drawn = {
       {page, binary.image.width(), binary.image.height(), choice, {}, request.min_area}, {}, {}};
-  if (request.draws) drawn.ground = request.localises ? copy_of(grey.view()) : std::move(grey);
-  const AllRegions all = request.localises ? by_edges(std::move(grey), std::move(binary), request)
-                                           : by_foreground(std::move(binary), request);
+  if (request.draws) {
+    drawn.ground = request.localises ? copy_of(grey.bytes.view()) : in_bytes(std::move(grey)).bytes;
+  }
+  const AllRegions all = request.localises
+                             ? by_edges(std::move(grey.bytes), std::move(binary), request)
+                             : by_foreground(std::move(binary), request);
   drawn.found.regions = selected(all.regions, kept_regions(all.regions, request.min_area));
   if (request.draws) {
     drawn.overlay = regions_overlay(all.objects.view(), all.regions, request.min_area);

@@ -26,10 +26,11 @@ struct DrawnRegions {
 };
 
 /// The image to binarise: a copy of `grey` where find_regions_in() needs that, too, else itself.
-[[nodiscard]] ByteImage image_to_binarise(ByteImage& grey, const RegionRequest& request);
+/// Edges are found in 8 bits.
+[[nodiscard]] GreyImage image_to_binarise(GreyImage& grey, const RegionRequest& request);
 
 /// What is in `grey`, of which `binary` was made.
-[[nodiscard]] DrawnRegions find_regions_in(ByteImage grey, BinaryImage binary,
+[[nodiscard]] DrawnRegions find_regions_in(GreyImage grey, BinaryImage binary,
                                            const ImagePage& page, const RegionRequest& request);
 
 }  // namespace thinbench

@@ -46,26 +46,33 @@ int run_scan(const RunOptions& options, const Console& console) {
   if (is_packed_run(options.packed, options.files.out)) {
     throw UsageError(std::string(kScanOperation) + " does not take packed files");
   }
-  const std::string summary = scan_image_file(scan, options.files, options.binarise, console);
-  summary_stream(console, options.files.out) << summary << '\n';
+  const auto& [in, out] = options.files;
+  FileBytes file = read_input(in);
+  check_replaced(file, out);
+  const std::string summary =
+      scan_image_file(scan, std::move(file), out, options.binarise, console);
+  summary_stream(console, out) << summary << '\n';
   return kSuccess;
 }
 
 int run(const RunOptions& options, const Console& console) {
   reject_other_commands(options.thinning.rule);
-  check_replaced(options.files.in, options.files.out);
   if (makes_scan(options.thinning)) return run_scan(options, console);
   const RequestedThinning thinning = requested_thinning(options.thinning);
   check_options(thinning);
-  if (is_tiff_run(options.packed, options.binarise, options.files)) {
-    return run_tiff(thinning, options.binarise, options.files, console);
+  const auto& [in, out] = options.files;
+  const bool is_packed = is_packed_run(options.packed, out);
+  if (is_packed) reject_for_packed_files(options.binarise);
+  FileBytes file = read_input(in);
+  check_replaced(file, out);
+  if (is_packed) return run_packed(options.packed, thinning, std::move(file), out, console);
+  if (auto page = packed_tiff(options.packed, options.binarise, file, out)) {
+    file = {};
+    return run_tiff(thinning, options.binarise, std::move(*page), options.files, console);
   }
-  if (is_packed_run(options.packed, options.files.out)) {
-    reject_for_packed_files(options.binarise);
-    return run_packed(options.packed, thinning, options.files, console);
-  }
-  const std::string summary = thin_image_file(thinning, options.files, options.binarise, console);
-  summary_stream(console, options.files.out) << summary << '\n';
+  const std::string summary =
+      thin_image_file(thinning, std::move(file), out, options.binarise, console);
+  summary_stream(console, out) << summary << '\n';
   return kSuccess;
 }
 
@@ -107,9 +114,7 @@ Command add_run_command(CLI::App& program) {
   thinbench run thin_guo_hall page.tif skeleton.tif
 
 OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
-you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
-need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment. In packed files (.pbm, --raw) 1 is
-foreground; they may have up to 2^40 pixels. So may TIFF images of 1 bit per pixel in strips: written to
+you chose it, and what is doubtful about it goes to standard error. In packed files (.pbm, --raw) 1 is foreground; they may have up to 2^40 pixels. So may TIFF images of 1 bit per pixel in strips: written to
 .tif they remain so, with a white skeleton, and the foreground is chosen as in grey images.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/usage.hpp"
-#include "support/regular_file.hpp"
+#include "support/file_bytes.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 
@@ -77,9 +77,9 @@ std::string edge_rows(const Json& found) {
 }
 
 std::string text_of(const TablePart& part, TableFormat format) {
-  const std::string text = read_whole_file(part.path, SIZE_MAX);
+  const FileBytes file = read_file(part.path);
   try {
-    Json found = Json::parse(text);
+    Json found = Json::parse(file.text());
     found.at("file") = part.image;  // whose name may be no UTF-8
     return format == TableFormat::csv ? csv_rows(found) : json_line(found);
   } catch (const Json::exception&) {

@@ -12,7 +12,8 @@
 #include "rules/rule_file.hpp"
 #include "rules/weights_file.hpp"
 #include "support/content_hash.hpp"
-#include "support/regular_file.hpp"
+#include "support/file_bytes.hpp"
+#include "support/json_field.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
@@ -26,8 +27,8 @@ struct NamedValue {
   std::string contents = {};  // as in RequestedThinning
 };
 
-std::string contents_of(const std::string& path) {
-  return " hash " + hash_text(hash_of_file(path));
+std::string contents_of(const FileBytes& file) {
+  return " hash " + hash_text(hash_of(file.text().data(), file.text().size()));
 }
 
 /// Whether it begins as Hensel's notation does.
@@ -54,10 +55,11 @@ NamedValue rule_of_notation(const std::string& word, bool optimise) {
 }
 
 NamedValue rule_of_file(const std::string& path, bool optimise) {
-  const RuleDescription read = read_rule_file(path);
+  const FileBytes file = read_file(path, kMaxJsonBytes);
+  const RuleDescription read = parse_rule(std::string(file.text()), path);
   return {read.name,
           Rule(read.sub_iterations, {read.border, read.max_iterations, optimise, read.name}),
-          contents_of(path)};
+          contents_of(file)};
 }
 
 /// Of a word that names nothing.
@@ -98,11 +100,12 @@ NamedValue rule_of_word(const ThinningRequest& request) {
 }
 
 /// The net with the weights in a file.
-Rule net_from_file(const NamedValue& rule, const std::string& path) {
+Rule net_from_file(const NamedValue& rule, const FileBytes& file) {
+  const std::string& path = file.name();
   if (!rule.name.starts_with("net_")) {
     throw UsageError("--weights: " + rule.name + " is not a net and has no weights");
   }
-  const AnyWeights weights = read_weights(path);
+  const AnyWeights weights = parse_weights(std::string(file.text()), path);
   const bool wants_cluster = rule.name == "net_single_layer_cluster";
   if (wants_cluster != std::holds_alternative<ClusterWeights>(weights)) {
     const std::string wanted = wants_cluster ? "cluster" : "two_layer";
@@ -146,8 +149,9 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
 RequestedThinning requested_thinning(const ThinningRequest& request) {
   NamedValue rule = rule_of_word(request);
   if (!request.weights.empty()) {
-    rule.rule = net_from_file(rule, request.weights);
-    rule.contents = contents_of(request.weights);
+    const FileBytes file = read_file(request.weights, kMaxJsonBytes);
+    rule.rule = net_from_file(rule, file);
+    rule.contents = contents_of(file);
   }
   if (!request.directions.empty()) {
     throw UsageError("--directions: " + rule.name + " is not a scan and has no directions");

@@ -18,6 +18,17 @@ Index foreground_of(const ImageView& image) {
   return foreground_pixels(image);
 }
 
+/// Of the last byte of each row.
+void clear_unused_bits(const PackedView& image) {
+  const Index bytes = packed_row_bytes(image.width);
+  const int unused = static_cast<int>(bytes * 8 - image.width);
+  const int used = image.order == BitOrder::msb_first ? 0xFF << unused : 0xFF >> unused;
+  for (Index y = 0; y < image.height; ++y) {
+    std::uint8_t& last = image.data[y * image.stride + bytes - 1];
+    last = static_cast<std::uint8_t>(last & used);
+  }
+}
+
 Index foreground_of(const PackedView& image) {
   return packed_foreground(image);
 }
@@ -44,13 +55,14 @@ auto thinner_of(const RequestedThinning& thinning) {
 }
 
 template <class Apply>
-std::string apply_to_file(std::string_view name, const Apply& apply, const ThinningFiles& files,
-                          const BinariseOptions& binarise, const Console& console) {
-  check_extension(files.out);
+std::string apply_to_file(std::string_view name, const Apply& apply, FileBytes in,
+                          const std::string& out, const BinariseOptions& binarise,
+                          const Console& console) {
+  check_extension(out);
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage image = read_binary(files.in, binarise, &remarks);
+  ByteImage image = read_binary(std::move(in), binarise, remarks);
   std::string summary = summary_of(name, image.view(), apply);
-  write_grey(files.out, image.view());
+  write_grey(out, image.view());
   console.err << remarks.str();
   return summary;
 }
@@ -64,18 +76,18 @@ std::string text_of(const RunSummary& run) {
                      run.milliseconds);
 }
 
-std::string thin_image_file(const RequestedThinning& thinning, const ThinningFiles& files,
+std::string thin_image_file(const RequestedThinning& thinning, FileBytes in, const std::string& out,
                             const BinariseOptions& binarise, const Console& console) {
-  return apply_to_file(thinning.name, thinner_of(thinning), files, binarise, console);
+  return apply_to_file(thinning.name, thinner_of(thinning), std::move(in), out, binarise, console);
 }
 
-std::string scan_image_file(const RequestedScan& scan, const ThinningFiles& files,
+std::string scan_image_file(const RequestedScan& scan, FileBytes in, const std::string& out,
                             const BinariseOptions& binarise, const Console& console) {
   const auto apply = [&](const ImageView& image) {
     scan.run(image);
     return 1;
   };
-  return apply_to_file(kScanOperation, apply, files, binarise, console);
+  return apply_to_file(kScanOperation, apply, std::move(in), out, binarise, console);
 }
 
 std::string thin_packed_image(const RequestedThinning& thinning, const PackedView& image,
@@ -85,14 +97,18 @@ std::string thin_packed_image(const RequestedThinning& thinning, const PackedVie
   return summary;
 }
 
-std::string thin_packed_file(const RequestedThinning& thinning, const ThinningFiles& files,
-                             const PackedFormat& format) {
-  std::string bytes = format.header;
-  bytes.resize(static_cast<std::size_t>(format.file_bytes()));
-  auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
-  PackedFile::open(files.in, format).read({0, 0, format.width, format.height}, data);
+std::string thin_packed_file(const RequestedThinning& thinning, FileBytes in,
+                             const std::string& out, const PackedFormat& format) {
+  if (in.text().size() != format.file_bytes()) {
+    cannot_read(in.name(),
+                fmt::format("it has {} bytes; {}{} x {} pixels take {}", in.text().size(),
+                            format.header_bytes == 0 ? "" : "its header and ", format.width,
+                            format.height, format.file_bytes()));
+  }
+  auto* const data = reinterpret_cast<std::uint8_t*>(in.data() + format.header_bytes);
   const PackedView image(data, format.width, format.height, format.order);
-  return thin_packed_image(thinning, image, [&] { write_bytes(files.out, bytes); });
+  clear_unused_bits(image);
+  return thin_packed_image(thinning, image, [&] { write_bytes(out, in.text()); });
 }
 
 void reject_for_packed_files(const BinariseOptions& options) {

@@ -8,7 +8,7 @@
 #include "cli/scan_request.hpp"
 #include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
-#include "images/packed_file.hpp"
+#include "images/pnm.hpp"
 
 namespace thinbench {
 
@@ -32,12 +32,13 @@ struct RunSummary {
 // All return "NAME: " and the summary, without an end of line.
 
 /// Remarks on the foreground go to the console.
-[[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning,
-                                          const ThinningFiles& files,
-                                          const BinariseOptions& binarise, const Console& console);
+[[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning, FileBytes in,
+                                          const std::string& out, const BinariseOptions& binarise,
+                                          const Console& console);
 
-[[nodiscard]] std::string scan_image_file(const RequestedScan& scan, const ThinningFiles& files,
-                                          const BinariseOptions& binarise, const Console& console);
+[[nodiscard]] std::string scan_image_file(const RequestedScan& scan, FileBytes in,
+                                          const std::string& out, const BinariseOptions& binarise,
+                                          const Console& console);
 
 /// Thins an image in place, then calls `save`.
 [[nodiscard]] std::string thin_packed_image(const RequestedThinning& thinning,
@@ -45,8 +46,8 @@ struct RunSummary {
                                             const std::function<void()>& save);
 
 /// Without a byte image in between.
-[[nodiscard]] std::string thin_packed_file(const RequestedThinning& thinning,
-                                           const ThinningFiles& files, const PackedFormat& format);
+[[nodiscard]] std::string thin_packed_file(const RequestedThinning& thinning, FileBytes in,
+                                           const std::string& out, const PackedFormat& format);
 
 /// Throws UsageError for options that choose the foreground among grey levels.
 void reject_for_packed_files(const BinariseOptions& options);

@@ -1,14 +1,13 @@
 #include "images/binarise.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <sstream>
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
 
-#include "images/image_file.hpp"
-#include "images/mat_of.hpp"
-#include "images/packed_file.hpp"
+#include "images/codecs.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -25,7 +24,8 @@ std::string note(const BinaryImage& binary, const BinariseOptions& options) {
   if (!options.threshold && !options.local && !binary.was_binary)
     overrides.push_back("--threshold N");
   if (is_as_read || binary.only_level || overrides.empty()) return {};
-  return fmt::format("foreground is {}; {} {} this", class_text(binary),
+  return fmt::format("{}foreground is {}; {} {} this",
+                     binary.range.empty() ? "" : binary.range + "; ", class_text(binary),
                      fmt::join(overrides, " and "),
                      overrides.size() == 1 ? "overrides" : "override");
 }
@@ -33,7 +33,7 @@ std::string note(const BinaryImage& binary, const BinariseOptions& options) {
 std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& options) {
   if (binary.only_level) {
     return fmt::format(
-        "all pixels have the same grey level, {}: {}", *binary.only_level,
+        "all pixels have the same grey level, {:.9g}: {}", binary.number_of(*binary.only_level),
         binary.foreground_share > 0 ? "all of them are foreground" : "none is foreground");
   }
   const bool is_clear =
@@ -60,10 +60,89 @@ void print_line(const char* kind, const std::string& name, const std::string& te
 
 }  // namespace
 
+namespace {
+
+/// The level from which on the numbers of the file are at least `number`.
+int level_of(int number, const GreyImage& grey) {
+  const double level = std::ceil((number - grey.first) / grey.step);
+  if (level <= grey.highest()) return static_cast<int>(std::max(level, 0.0));
+  throw std::invalid_argument(
+      fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {}",
+                  grey.first + grey.step * grey.highest(), number));
+}
+
+/// In levels. By default as large a share of the range of 16 bits as of 8.
+Binarisation request_for(const GreyImage& grey, const LevelRange& range,
+                         const BinariseOptions& options) {
+  Binarisation request = {options.foreground, options.threshold, options.local};
+  if (request.threshold) request.threshold = level_of(*request.threshold, grey);
+  if (!request.local || !grey.is_deep()) return request;
+  int& offset = request.local->offset;
+  offset = static_cast<int>(std::lround(
+      options.has_offset ? offset / grey.step : offset * (range.highest - range.lowest) / 255.0));
+  offset = std::clamp(offset, 0, grey.highest());
+  return request;
+}
+
+std::string range_text(const GreyImage& grey, const LevelRange& range) {
+  const auto number = [&](int level) { return grey.first + grey.step * level; };
+  return fmt::format("16 bits, levels {:.9g} to {:.9g}", number(range.lowest),
+                     number(range.highest));
+}
+
+}  // namespace
+
+BinaryImage binarise(GreyImage grey, const BinariseOptions& options) {
+  const LevelRange range = grey.is_deep() ? range_of(grey) : LevelRange{0, 255};
+  const Binarisation request = request_for(grey, range, options);
+  BinaryImage result;
+  result.first = grey.first;
+  result.step = grey.step;
+  if (grey.is_deep()) {
+    ByteImage image(grey.width, grey.height);
+    static_cast<Binarised&>(result) = binarise16(grey.deep_view(), image.view(), request);
+    result.image = std::move(image);
+    result.range = range_text(grey, range);
+  } else {
+    static_cast<Binarised&>(result) = binarise(grey.bytes.view(), grey.bytes.view(), request);
+    result.image = std::move(grey.bytes);
+  }
+  return result;
+}
+
 BinaryImage binarise(ByteImage grey, const BinariseOptions& options) {
-  const Binarised found =
-      binarise(grey.view(), grey.view(), {options.foreground, options.threshold, options.local});
-  return {found, std::move(grey)};
+  return binarise(GreyImage(std::move(grey)), options);
+}
+
+namespace {
+
+/// The number of set bits, by operations that compilers vectorise on any processor.
+Index bits_of(std::uint64_t word) {
+  word -= word >> 1 & 0x5555555555555555;
+  word = (word & 0x3333333333333333) + (word >> 2 & 0x3333333333333333);
+  word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0F;
+  word += word >> 8;
+  word += word >> 16;
+  word += word >> 32;
+  return static_cast<Index>(word & 0x7F);
+}
+
+}  // namespace
+
+Index packed_foreground(const ConstPackedView& image) {
+  const Index bytes = packed_row_bytes(image.width);
+  Index count = 0;
+  for (Index y = 0; y < image.height; ++y) {
+    const std::uint8_t* row = image.row(y);
+    Index i = 0;
+    for (; i + 8 <= bytes; i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, row + i, sizeof(word));
+      count += bits_of(word);
+    }
+    for (; i < bytes; ++i) count += bits_of(row[i]);
+  }
+  return count;
 }
 
 void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index height) {
@@ -97,7 +176,8 @@ std::string class_text(const BinaryImage& binary) {
     return fmt::format("{} (by the means of {} x {} pixels)", name, binary.window, binary.window);
   }
   const char* const relation = binary.foreground == Foreground::bright ? ">=" : "<";
-  return fmt::format("{} (grey level {} {})", name, relation, binary.threshold);
+  return fmt::format("{} (grey level {} {:.9g})", name, relation,
+                     binary.number_of(binary.threshold));
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {
@@ -114,62 +194,59 @@ void print_remarks(const std::string& name, const BinaryImage& binary,
     print_line("warning: ", name, text, log);
 }
 
-namespace {
-
-ByteImage cropped(const std::string& path, const ByteImage& image, const Crop& crop) {
-  if (crop.x + crop.width > image.width() || crop.y + crop.height > image.height()) {
-    throw FileError(fmt::format("{}: --crop {},{},{}x{} is not inside the image of {} x {} pixels",
-                                path, crop.x, crop.y, crop.width, crop.height, image.width(),
-                                image.height()));
+GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options) {
+  Pixels pixels = decode(file, {.page = page, .lenient = options.lenient});
+  const std::string name = file.name();
+  file = {};
+  GreyFile result = {{}, options.grey.channel, {}};
+  std::string decoder_warning = std::move(pixels.warning);
+  try {
+    result.grey = grey_of(std::move(pixels), options.grey, result.channel, result.warning);
+  } catch (const DecodeError& error) {
+    throw FileError((name == kStandardStream ? "standard input" : name) + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    cannot_read(name, "there is not enough memory for it");
   }
-  const ConstImageView all = image.view();
-  return copy_of({all.row(crop.y) + crop.x, crop.width, crop.height, all.stride});
+  if (decoder_warning.empty() || result.warning.empty())
+    result.warning += decoder_warning;
+  else
+    result.warning = decoder_warning + "; " + result.warning;
+  return result;
 }
 
-void blur(ByteImage& image, double sigma) {
-  cv::Mat mat = mat_of(image.view());
-  cv::GaussianBlur(mat, mat, {}, sigma, sigma, cv::BORDER_REPLICATE);
-}
-
-}  // namespace
-
-GreyFile read_grey_file(const std::string& path, std::optional<int> page,
-                        const BinariseOptions& options) {
-  GreyFile file = {{}, options.channel, {}};
-  file.grey = read_channel(path, page, file.channel, options.lenient ? &file.warning : nullptr);
-  if (is_transparent(path)) {
-    file.warning += file.warning.empty() ? "" : "; ";
-    file.warning +=
-        "the image is transparent in places; the colours stored there count as if it were opaque";
+GreyImage read_levels(FileBytes file, const BinariseOptions& options, std::ostream& log) {
+  const std::string name = file.name();
+  GreyFile read = read_grey_file(std::move(file), 0, options);
+  print_line("warning: ", name, read.warning, log);
+  if (options.grey.channel == Channel::automatic && !options.grey.opacity) {
+    const std::string_view channel = channel_name(read.channel);
+    print_line("note: ", name, fmt::format("channel is {}; --channel overrides this", channel),
+               log);
   }
-  if (options.crop.height > 0) file.grey = cropped(path, file.grey, options.crop);
-  if (options.blur > 0) blur(file.grey, options.blur);
-  return file;
+  return std::move(read.grey);
 }
 
 ByteImage read_grey(const std::string& path, const BinariseOptions& options, std::ostream& log) {
-  GreyFile file = read_grey_file(path, std::nullopt, options);
-  print_line("warning: ", path, file.warning, log);
-  if (options.channel == Channel::automatic) {
-    const std::string_view name = channel_name(file.channel);
-    print_line("note: ", path, fmt::format("channel is {}; --channel overrides this", name), log);
-  }
-  return std::move(file.grey);
+  return in_bytes(read_levels(read_input(path), options, log)).bytes;
+}
+
+ByteImage read_binary(FileBytes file, const BinariseOptions& options, std::ostream& log) {
+  const std::string name = file.name();
+  BinaryImage binary = binarise(read_levels(std::move(file), options, log), options);
+  print_remarks(name, binary, options, log);
+  return std::move(binary.image);
 }
 
 ByteImage read_binary(const std::string& path, const BinariseOptions& options, std::ostream* log) {
   std::ostringstream ignored;
-  BinaryImage binary = binarise(read_grey(path, options, log != nullptr ? *log : ignored), options);
-  if (log != nullptr) print_remarks(path, binary, options, *log);
-  return std::move(binary.image);
+  return read_binary(read_input(path), options, log != nullptr ? *log : ignored);
 }
 
 Index foreground_pixels(ConstImageView image) {
-  constexpr Index kRows = 64;  // at a time: OpenCV counts up to 2^31 - 1
   Index count = 0;
-  for (Index y = 0; y < image.height && image.width > 0; y += kRows) {
-    const Index rows = std::min(kRows, image.height - y);
-    count += cv::countNonZero(mat_of({image.row(y), image.width, rows, image.stride}));
+  for (Index y = 0; y < image.height; ++y) {
+    const std::uint8_t* const row = image.row(y);
+    for (Index x = 0; x < image.width; ++x) count += row[x] != 0 ? 1 : 0;
   }
   return count;
 }

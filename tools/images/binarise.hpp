@@ -7,37 +7,33 @@
 #include <vector>
 
 #include "binarise/bright_pixels.hpp"
-#include "support/byte_image.hpp"
+#include "images/grey_image.hpp"
+#include "support/file_bytes.hpp"
 #include "thinbench/binarise.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench {
 
-/// A part of an image; with no height, the whole image.
-struct Crop {
-  Index x = 0;
-  Index y = 0;
-  Index width = 0;
-  Index height = 0;
-};
-
 /// How an image file becomes an image of two classes.
 struct BinariseOptions {
   Foreground foreground = Foreground::automatic;  // as in Binarisation, as are the next two
-  std::optional<int> threshold = std::nullopt;
-  /// Corrupt and truncated JPEG files are read as far as possible, with a warning.
+  std::optional<int> threshold = std::nullopt;    // in the file's numbers
+  /// Damaged JPEG and TIFF files are read as far as possible, with a warning.
   bool lenient = false;
   std::optional<LocalThreshold> local = std::nullopt;
-  Channel channel = Channel::grey;
-  Crop crop = {};
+  GreyChoice grey = {};
   /// More foreground than background is nothing doubtful, as free space in maps.
   bool is_mostly_foreground = false;
-  double blur = 0;  // standard deviation of a Gaussian filter, in pixels; 0: none
+  bool has_offset = false;  // of the local threshold; else it is a share of the range of 16 bits
 };
 
 /// A binary image, and what it was made from.
 struct BinaryImage : Binarised {
-  ByteImage image;  // 255 on foreground, 0 elsewhere
+  ByteImage image;             // 255 on foreground, 0 elsewhere
+  double first = 0, step = 1;  // what levels stand for, see GreyImage
+  std::string range = {};      // "16 bits, levels 480 to 733"; empty for 8 bits
+
+  [[nodiscard]] double number_of(int level) const { return first + step * level; }
 };
 
 /// A threshold for the whole image is doubtful where the classes overlap: where so large a share of
@@ -48,10 +44,15 @@ struct BinaryImage : Binarised {
 inline constexpr double kMaxUndecided = 0.05;
 inline constexpr double kMinSeparation = 0.8;
 
-/// The image, which has pixels, in two classes.
+/// The image, which has pixels, in two classes. Throws std::invalid_argument for a threshold that
+/// is beyond its levels.
+[[nodiscard]] BinaryImage binarise(GreyImage grey, const BinariseOptions& options = {});
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
 
 using detail::BrightPixels;
+
+/// The number of foreground pixels of a packed image whose unused bits are 0.
+[[nodiscard]] Index packed_foreground(const ConstPackedView& image);
 
 /// Adds rows of a packed image of this height, the first of which is its row `y`. 1 is bright,
 /// unused bits are 0, the first pixel is the most significant bit of a byte.
@@ -77,23 +78,28 @@ void print_remarks(const std::string& name, const BinaryImage& binary,
 
 /// Grey levels of an image file, and how they came about.
 struct GreyFile {
-  ByteImage grey;
+  GreyImage grey;
   Channel channel;      // that was chosen
   std::string warning;  // of the decoder, or that the image is transparent
 };
 
-/// The page of an image file, counted from 0, or its only image, by the channel, part and filter
-/// that the options name. Throws FileError.
-[[nodiscard]] GreyFile read_grey_file(const std::string& path, std::optional<int> page,
-                                      const BinariseOptions& options);
+/// The page of an image file, counted from 0, by what the options name. The bytes are freed as soon
+/// as there are pixels. Throws FileError.
+[[nodiscard]] GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options);
 
-/// The same for the first image of a file; the warning and an automatic choice go to `log`, a line
-/// each.
+/// The same for the first image of a file, or of standard input; the warning and an automatic
+/// choice go to `log`, a line each.
+[[nodiscard]] GreyImage read_levels(FileBytes file, const BinariseOptions& options,
+                                    std::ostream& log);
+
+/// The same in 8 bits.
 [[nodiscard]] ByteImage read_grey(const std::string& path, const BinariseOptions& options,
                                   std::ostream& log);
 
 /// Reads the image at `path` and binarises it, with the remarks in `log`, if there is one. Throws
 /// FileError.
+[[nodiscard]] ByteImage read_binary(FileBytes file, const BinariseOptions& options,
+                                    std::ostream& log);
 [[nodiscard]] ByteImage read_binary(const std::string& path, const BinariseOptions& options = {},
                                     std::ostream* log = nullptr);
 

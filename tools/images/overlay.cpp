@@ -5,41 +5,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
 
 #include "images/image_file.hpp"
-#include "images/mat_of.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontScale = 0.35;
-
-cv::Scalar scalar_of(const OverlayColour& colour) {
-  return {static_cast<double>(colour.blue), static_cast<double>(colour.green),
-          static_cast<double>(colour.red)};
-}
-
-void draw(cv::Mat& image, const OverlayLine& line) {
-  constexpr int widest = 32767;  // that OpenCV draws
-  std::vector<cv::Point> points;
-  for (const Pixel p : line.points) points.emplace_back(p.x, p.y);
-  if (points.size() == 1) points.push_back(points.front());
-  const cv::Mat before = line.opacity < 1 ? image.clone() : cv::Mat();
-  cv::polylines(image, points, line.is_closed, scalar_of(line.colour),
-                std::clamp(cvRound(line.width), 1, widest));
-  if (!before.empty()) {
-    cv::addWeighted(image, line.opacity, before, 1 - line.opacity, 0, image);
-  }
-}
-
-void draw(cv::Mat& image, const OverlayDisc& disc) {
-  cv::circle(image, {cvRound(disc.x), cvRound(disc.y)}, cvRound(disc.radius),
-             scalar_of(disc.colour), cv::FILLED);
-}
 
 /// The corner, so that all of the text lies in the image.
 Pixel corner_inside(const OverlayText& text, Index width, Index height) {
@@ -49,20 +21,22 @@ Pixel corner_inside(const OverlayText& text, Index width, Index height) {
           std::clamp(text.corner.y, size.y, std::max(size.y, rows - 1))};
 }
 
-void draw(cv::Mat& image, const OverlayText& text) {
-  const Pixel corner = corner_inside(text, image.cols, image.rows);
-  cv::putText(image, text.text, {corner.x, corner.y}, kFont, kFontScale, scalar_of(text.colour), 1,
-              cv::LINE_AA);
-}
-
-cv::Mat drawn(const ConstImageView& grey, const Overlay& overlay) {
-  cv::Mat image;
-  cv::cvtColor(mat_of(grey), image, cv::COLOR_GRAY2BGR);
-  if (overlay.is_faded) image.convertTo(image, -1, 0.5, 127.5);
-  for (const OverlayLine& line : overlay.lines) draw(image, line);
-  for (const OverlayDisc& disc : overlay.discs) draw(image, disc);
-  for (const OverlayText& text : overlay.texts) draw(image, text);
-  return image;
+Canvas drawn(const ConstImageView& grey, const Overlay& overlay) {
+  Canvas canvas(grey, overlay.is_faded);
+  for (const OverlayLine& line : overlay.lines) {
+    if (line.width > 1 || line.opacity < 1) {
+      canvas.draw_band(line.points, line.width, line.opacity, line.colour);
+    } else {
+      canvas.draw_line(line.points, line.is_closed, line.colour);
+    }
+  }
+  for (const OverlayDisc& disc : overlay.discs) {
+    canvas.draw_disc(disc.x, disc.y, disc.radius, disc.colour);
+  }
+  for (const OverlayText& text : overlay.texts) {
+    canvas.draw_digits(corner_inside(text, grey.width, grey.height), text.text, text.colour);
+  }
+  return canvas;
 }
 
 using Buffer = std::back_insert_iterator<std::string>;
@@ -149,14 +123,14 @@ bool is_svg(const std::string& path) {
 }  // namespace
 
 Pixel overlay_text_size(const std::string& text) {
-  const cv::Size size = cv::getTextSize(text, kFont, kFontScale, 1, nullptr);
-  return {size.width, size.height};
+  return {kDigitStep * static_cast<int>(text.size()), kDigitHeight};
 }
 
 void write_overlay(const std::string& path, const ConstImageView& grey, const Overlay& overlay) {
   check_overlay_extension(path);
   if (is_svg(path)) return write_whole_file(path, svg_of(grey, overlay));
-  write_mat(path, [&] { return drawn(grey, overlay); });
+  const Canvas canvas = drawn(grey, overlay);
+  write_colours(path, canvas.colours(), canvas.width(), canvas.height());
 }
 
 }  // namespace thinbench

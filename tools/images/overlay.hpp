@@ -1,18 +1,12 @@
 // Lines, discs and numbers drawn over a grey image, as pixels or as SVG.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "thinbench/graph.hpp"
-#include "thinbench/image_view.hpp"
+#include "images/canvas.hpp"
 
 namespace thinbench {
-
-struct OverlayColour {
-  std::uint8_t red, green, blue;
-};
 
 /// Between centres of pixels.
 struct OverlayLine {
@@ -32,8 +26,8 @@ struct OverlayDisc {
 };
 
 struct OverlayText {
-  Pixel corner;  // lower left; moved so far that all of the text lies in the image
-  std::string text;
+  Pixel corner;      // lower left; moved so far that all of the text lies in the image
+  std::string text;  // digits
   OverlayColour colour;
 };
 

@@ -1,13 +1,10 @@
 #include "images/regions.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
-
-#include <opencv2/imgproc.hpp>
-
-#include "images/mat_of.hpp"
 
 namespace thinbench {
 
@@ -44,53 +41,109 @@ namespace {
 constexpr OverlayColour kObjectColour = {0, 170, 0};
 constexpr OverlayColour kHoleColour = {255, 40, 40};
 
-bool comes_before(const cv::Point& a, const cv::Point& b) {
-  return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-}
+/// Follows borders between objects and background, as S. Suzuki and K. Abe do in "Topological
+/// structural analysis of digitized binary images by border following", 1985, algorithm 1.
+class BorderFollower {
+ public:
+  explicit BorderFollower(const ConstImageView& objects)
+      : width_(objects.width),
+        height_(objects.height),
+        stride_(objects.width + 2),
+        marks_(static_cast<std::size_t>(stride_ * (objects.height + 2)), kBackground),
+        steps_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1} {
+    for (Index y = 0; y < height_; ++y) {
+      std::transform(objects.row(y), objects.row(y) + width_, &marks_[at(0, y)],
+                     [](std::uint8_t pixel) { return pixel == 0 ? kBackground : kUnseen; });
+    }
+  }
 
-using Contour = std::vector<cv::Point>;
+  /// Calls outer(line) for each object and inner(line) for each hole, both in the order of their
+  /// first pixels. An object's line begins with its first pixel, a hole's with the one left of it.
+  template <class Outer, class Inner>
+  void follow_all(const Outer& outer, const Inner& inner) {
+    for (Index y = 0; y < height_; ++y) {
+      for (Index x = 0; x < width_; ++x) {
+        const std::size_t here = at(x, y);
+        if (marks_[here] == kBackground) continue;
+        if (marks_[here] == kUnseen && marks_[here - 1] == kBackground)
+          outer(followed(x, y, kWest));
+        const bool begins_hole = marks_[here] != kSeenOnTheRight && marks_[here + 1] == kBackground;
+        if (begins_hole) inner(followed(x, y, kEast));
+      }
+    }
+  }
 
-/// An outline and its first pixel, by rows and from the left.
-struct Outline {
-  cv::Point first;
-  Contour contour;
+ private:
+  enum Mark : std::uint8_t { kBackground, kUnseen, kSeen, kSeenOnTheRight };
+  static constexpr int kEast = 0, kWest = 4;  // directions count against the clock
+
+  [[nodiscard]] std::size_t at(Index x, Index y) const {
+    return static_cast<std::size_t>((y + 1) * stride_ + x + 1);
+  }
+  [[nodiscard]] std::size_t next(std::size_t place, int direction) const {
+    return place + static_cast<std::size_t>(steps_[static_cast<std::size_t>(direction & 7)]);
+  }
+
+  /// From the pixel on, which has background in this direction.
+  std::vector<Pixel> followed(Index x, Index y, int background) {
+    const std::size_t start = at(x, y);
+    int last = background - 1;  // the first object with the clock
+    while (last > background - 8 && marks_[next(start, last)] == kBackground) --last;
+    if (last == background - 8) {
+      marks_[start] = kSeenOnTheRight;
+      return {{static_cast<int>(x), static_cast<int>(y)}};
+    }
+    std::vector<Pixel> line;
+    const std::size_t before = next(start, last);
+    for (std::size_t here = start;;) {
+      line.push_back(pixel_at(here));
+      bool saw_right = false;
+      int direction = last + 1;
+      for (; marks_[next(here, direction)] == kBackground; ++direction) {
+        saw_right = saw_right || (direction & 7) == kEast;
+      }
+      if (saw_right) marks_[here] = kSeenOnTheRight;
+      if (marks_[here] == kUnseen) marks_[here] = kSeen;
+      const std::size_t following = next(here, direction);
+      if (following == start && here == before) return line;
+      here = following;
+      last = direction + 4;
+    }
+  }
+
+  [[nodiscard]] Pixel pixel_at(std::size_t place) const {
+    const auto i = static_cast<Index>(place);
+    return {static_cast<int>(i % stride_ - 1), static_cast<int>(i / stride_ - 1)};
+  }
+
+  Index width_;
+  Index height_;
+  Index stride_;  // of marks, with a border of background
+  std::vector<std::uint8_t> marks_;
+  std::array<Index, 8> steps_;
 };
 
-/// Outlines by region: those of objects, and those round holes.
+using Line = std::vector<Pixel>;
+
+/// The outlines of the regions that are kept.
 struct Outlines {
-  std::vector<Outline> objects;
-  std::vector<Outline> holes;
+  std::vector<Line> objects;
+  std::vector<Line> holes;
 };
 
-/// Both lists in the order of the regions' ids. An object's outline begins with its first pixel;
-/// that round a hole, which lies on the object, with the pixel above the hole's first.
-Outlines outlines_of(const ConstImageView& objects) {
-  std::vector<Contour> contours;
-  std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(mat_of(objects), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+Outlines outlines_of(const ConstImageView& objects, const KeptRegions& kept) {
   Outlines outlines;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    const cv::Point first = *std::min_element(contours[i].begin(), contours[i].end(), comes_before);
-    const bool is_hole = hierarchy[i][3] >= 0;
-    (is_hole ? outlines.holes : outlines.objects).push_back({first, std::move(contours[i])});
-  }
-  const auto in_order = [](const Outline& a, const Outline& b) {
-    return comes_before(a.first, b.first);
+  std::size_t object = 0, hole = 0;
+  const auto keep = [](const std::vector<std::size_t>& positions, std::size_t& number, Line line,
+                       std::vector<Line>& to) {
+    if (to.size() < positions.size() && positions[to.size()] == number)
+      to.push_back(std::move(line));
+    ++number;
   };
-  std::sort(outlines.objects.begin(), outlines.objects.end(), in_order);
-  std::sort(outlines.holes.begin(), outlines.holes.end(), in_order);
+  BorderFollower(objects).follow_all(
+      [&](Line line) { keep(kept.objects, object, std::move(line), outlines.objects); },
+      [&](Line line) { keep(kept.holes, hole, std::move(line), outlines.holes); });
   return outlines;
-}
-
-/// Those at these positions.
-void add_outlines(Overlay& overlay, const std::vector<Outline>& outlines,
-                  const std::vector<std::size_t>& positions, const OverlayColour& colour) {
-  for (const std::size_t i : positions) {
-    OverlayLine line = {{}, colour, true};
-    line.points.reserve(outlines[i].contour.size());
-    for (const cv::Point& p : outlines[i].contour) line.points.push_back({p.x, p.y});
-    overlay.lines.push_back(std::move(line));
-  }
 }
 
 Pixel size_of(const Region& region) {
@@ -98,7 +151,8 @@ Pixel size_of(const Region& region) {
 }
 
 Pixel centre_of(const Region& region) {
-  return {cvRound(region.centre_x()), cvRound(region.centre_y())};
+  return {static_cast<int>(std::lrint(region.centre_x())),
+          static_cast<int>(std::lrint(region.centre_y()))};
 }
 
 /// Whether a region is so large that numbers of its like leave the image readable.
@@ -120,39 +174,32 @@ void add_centre(Overlay& overlay, const Region& region, const OverlayColour& col
   overlay.lines.push_back({{{at.x, at.y - arm}, {at.x, at.y + arm}}, colour});
 }
 
-/// Numbers of objects stand above their first pixels, where no hole of theirs is.
-void add_objects(Overlay& overlay, const std::vector<Region>& objects, const Outlines& outlines,
-                 const KeptRegions& kept) {
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    add_centre(overlay, objects[i], kObjectColour);
-    if (!is_numbered(objects[i])) continue;
-    const cv::Point first = outlines.objects[kept.objects[i]].first;
-    overlay.texts.push_back({{first.x, first.y - 2}, std::to_string(i + 1), kObjectColour});
-  }
-}
-
-/// Those of holes stand beside the centre.
-void add_holes(Overlay& overlay, const std::vector<Region>& holes) {
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    add_centre(overlay, holes[i], kHoleColour);
-    if (!is_numbered(holes[i])) continue;
-    const Pixel centre = centre_of(holes[i]);
-    overlay.texts.push_back({{centre.x + 3, centre.y - 3}, std::to_string(i + 1), kHoleColour});
-  }
+void add_number(Overlay& overlay, const Region& region, std::size_t id, Pixel corner,
+                const OverlayColour& colour) {
+  if (is_numbered(region)) overlay.texts.push_back({corner, std::to_string(id), colour});
 }
 
 }  // namespace
 
 Overlay regions_overlay(const ConstImageView& objects, const Regions& found,
                         std::int64_t min_area) {
-  const Outlines outlines = outlines_of(objects);
   const KeptRegions kept = kept_regions(found, min_area);
+  const Outlines outlines = outlines_of(objects, kept);
   Overlay overlay;
-  add_outlines(overlay, outlines.objects, kept.objects, kObjectColour);
-  add_outlines(overlay, outlines.holes, kept.holes, kHoleColour);
-  const Regions shown = selected(found, kept);
-  add_objects(overlay, shown.objects, outlines, kept);
-  add_holes(overlay, shown.holes);
+  for (const Line& line : outlines.objects) overlay.lines.push_back({line, kObjectColour, true});
+  for (const Line& line : outlines.holes) overlay.lines.push_back({line, kHoleColour, true});
+  for (std::size_t i = 0; i < kept.objects.size(); ++i) {  // numbers stand above first pixels
+    const Region& object = found.objects[kept.objects[i]];
+    const Pixel first = outlines.objects[i].front();
+    add_centre(overlay, object, kObjectColour);
+    add_number(overlay, object, i + 1, {first.x, first.y - 2}, kObjectColour);
+  }
+  for (std::size_t i = 0; i < kept.holes.size(); ++i) {  // and beside centres of holes
+    const Region& hole = found.holes[kept.holes[i]];
+    const Pixel centre = centre_of(hole);
+    add_centre(overlay, hole, kHoleColour);
+    add_number(overlay, hole, i + 1, {centre.x + 3, centre.y - 3}, kHoleColour);
+  }
   return overlay;
 }
 

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/file_bytes.hpp"
 #include "support/json_field.hpp"
-#include "support/regular_file.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/rule_notation.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Values = std::vector<std::uint8_t>;
-
-constexpr std::size_t kMaxBytes = 1'000'000;
 
 /// The table that `make` returns; its errors name the field.
 template <class Make>
@@ -207,7 +205,7 @@ RuleDescription parse_rule(const std::string& text, const std::string& name) {
 }
 
 RuleDescription read_rule_file(const std::string& path) {
-  return parse_rule(read_whole_file(path, kMaxBytes), path);
+  return parse_rule(std::string(read_file(path, kMaxJsonBytes).text()), path);
 }
 
 void write_rule_file(const std::string& path, const RuleDescription& rule) {

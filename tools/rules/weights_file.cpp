@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/file_bytes.hpp"
 #include "support/json_field.hpp"
-#include "support/regular_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -83,8 +83,7 @@ AnyWeights parse_weights(const std::string& text, const std::string& name) {
 }
 
 AnyWeights read_weights(const std::string& path) {
-  constexpr std::size_t max_bytes = 1'000'000;
-  return parse_weights(read_whole_file(path, max_bytes), path);
+  return parse_weights(std::string(read_file(path, kMaxJsonBytes).text()), path);
 }
 
 }  // namespace thinbench

@@ -13,8 +13,10 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// "-" is standard input.
 [[noreturn]] inline void cannot_read(const std::string& path, const std::string& why) {
-  throw FileError("cannot read '" + path + "': " + why);
+  throw FileError("cannot read " + (path == "-" ? "standard input" : "'" + path + "'") + ": " +
+                  why);
 }
 
 [[noreturn]] inline void cannot_write(const std::string& path, const std::string& why) {

@@ -19,6 +19,13 @@ inline std::string shown(const nlohmann::json& value) {
   return value.dump(-1, ' ', true).substr(0, 60);
 }
 
+/// Whole numbers without a point.
+inline nlohmann::ordered_json json_number(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  if (static_cast<double>(whole) == value) return whole;
+  return value;
+}
+
 /// A value in the file and the way to it, such as hidden[3].bias. Errors are std::runtime_error
 /// with one line: "weights.json: hidden[3].weights has 7 numbers; it must have 8".
 class JsonField {
@@ -84,6 +91,9 @@ class JsonField {
   const std::string& file_;
   std::string name_;
 };
+
+/// Of files of rules and weights.
+inline constexpr std::size_t kMaxJsonBytes = 1'000'000;
 
 /// Of objects and lists within each other: nlohmann_json copies and prints them by recursion.
 inline constexpr int kMaxJsonDepth = 16;

@@ -1,9 +1,9 @@
 #include "support/whole_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <random>
@@ -49,25 +49,54 @@ std::string hidden_name_for(const std::filesystem::path& target, bool is_first,
   return target.parent_path() / (std::string(kHiddenPrefix) + std::to_string(number) + extension);
 }
 
+/// What stands in the place of an output. Throws FileError where it cannot be written.
+struct Target {
+  std::string path;   // as given
+  std::string place;  // through links
+  struct stat old {};
+  bool exists = false;
+
+  explicit Target(const std::string& given) : path(given), place(given) {
+    if (given.empty()) cannot_write(path, "its name is empty");
+    exists = lstat(place.c_str(), &old) == 0;
+    if (!exists && errno != ENOENT && errno != ENOTDIR) cannot_write_by_errno(path);
+    if (exists && S_ISLNK(old.st_mode)) {
+      place = target_of(path);
+      exists = stat(place.c_str(), &old) == 0;
+    }
+    if (!exists) return;
+    if (S_ISDIR(old.st_mode)) cannot_write(path, "it is a directory");
+    if (!S_ISREG(old.st_mode)) cannot_write(path, "it is not a regular file");
+    if (access(place.c_str(), W_OK) != 0) cannot_write(path, "it is write-protected");
+  }
+};
+
+void check_directory(const Target& target) {
+  const std::filesystem::path directory = std::filesystem::path(target.place).parent_path();
+  std::error_code ignored;
+  if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
+    cannot_write(target.path, "there is no directory '" + directory.string() + "'");
+  }
+}
+
 /// A new hidden file beside the target, removed unless it was renamed. It is locked while this
 /// program works on it. Who must not read the target cannot read it either.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& path) {
-    const std::filesystem::path target = target_of(path);
-    const std::string extension = std::filesystem::path(path).extension();
-    struct stat old {};
-    const mode_t mode = stat(target.c_str(), &old) == 0 ? old.st_mode & 0666 : 0666;
+  explicit TemporaryFile(const Target& target) {
+    const std::string extension = std::filesystem::path(target.path).extension();
+    const mode_t mode = target.exists ? target.old.st_mode & 0666 : 0666;
     bool is_first = true;
     do {  // again if another program took it for an abandoned file before it was locked
       if (descriptor_ >= 0) close(descriptor_);
-      const std::string hidden = hidden_name_for(target, is_first, extension);
-      if (is_first) remove_if_abandoned(hidden);
-      is_first = false;
-      file_.emplace(hidden);
+      file_.emplace(hidden_name_for(target.place, is_first, extension));
       descriptor_ = create_new(name(), mode);
-      if (descriptor_ < 0 && errno != EEXIST) cannot_write_by_errno(path);
-      if (descriptor_ < 0) file_->keep();  // it is another program's
+      if (descriptor_ < 0 && errno == EEXIST && is_first) {
+        remove_if_abandoned(name());
+        descriptor_ = create_new(name(), mode);
+      }
+      if (descriptor_ < 0) reject_unless_taken(target);
+      is_first = false;
       flock(descriptor_, LOCK_EX);
     } while (descriptor_ < 0 || !has_name(descriptor_));
   }
@@ -78,8 +107,18 @@ class TemporaryFile {
   TemporaryFile& operator=(TemporaryFile&&) = delete;
 
   [[nodiscard]] const std::string& name() const { return file_->name(); }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:
+  /// It is another program's, or cannot be made.
+  void reject_unless_taken(const Target& target) {
+    const int number = errno;
+    file_->keep();
+    check_directory(target);
+    errno = number;
+    if (number != EEXIST) cannot_write_by_errno(target.path);
+  }
+
   std::optional<UnfinishedFile> file_;
   int descriptor_ = -1;
 };
@@ -192,45 +231,40 @@ std::string place_of(const std::string& path) {
 }
 
 void check_target(const std::string& path) {
-  const std::string target = target_of(path);
-  const std::filesystem::path directory = std::filesystem::path(target).parent_path();
-  std::error_code ignored;
-  if (path.empty()) cannot_write(path, "its name is empty");
-  if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
-    cannot_write(path, "there is no directory '" + directory.string() + "'");
-  }
-  const std::filesystem::file_status status = std::filesystem::status(target, ignored);
-  if (!std::filesystem::exists(status)) return;
-  if (std::filesystem::is_directory(status)) cannot_write(path, "it is a directory");
-  if (!std::filesystem::is_regular_file(status)) cannot_write(path, "it is not a regular file");
-  if (access(target.c_str(), W_OK) != 0) cannot_write(path, "it is write-protected");
+  check_directory(Target(path));
 }
 
-void replace_file(const std::string& path, const std::string& finished) {
-  const std::string target = target_of(path);
-  struct stat old {};
-  if (stat(target.c_str(), &old) == 0) {
-    if (!can_be_replaced(old, finished)) return overwrite(target, finished);
-    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) cannot_write_by_errno(path);
+namespace {
+
+/// Gives a finished file the place of the target.
+void replace(const Target& target, const std::string& finished) {
+  if (target.exists) {
+    if (!can_be_replaced(target.old, finished)) return overwrite(target.place, finished);
+    if (chmod(finished.c_str(), target.old.st_mode & 07777) != 0)
+      cannot_write_by_errno(target.path);
   }
-  if (std::rename(finished.c_str(), target.c_str()) != 0) cannot_write_by_errno(path);
+  if (std::rename(finished.c_str(), target.place.c_str()) != 0) cannot_write_by_errno(target.path);
 }
+
+}  // namespace
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
-  write_whole_file(path, [&](const std::string& name) {
-    std::ofstream stream(name, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) cannot_write_by_errno(path);
-  });
+  const Target target(path);
+  const TemporaryFile file(target);
+  while (!bytes.empty()) {
+    const ssize_t written = write(file.descriptor(), bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) cannot_write_by_errno(path);
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  replace(target, file.name());
 }
 
 void write_whole_file(const std::string& path,
                       const std::function<void(const std::string& name)>& write) {
-  check_target(path);
-  const TemporaryFile file(path);
+  const Target target(path);
+  const TemporaryFile file(target);
   write(file.name());
-  replace_file(path, file.name());
+  replace(target, file.name());
 }
 
 void remove_abandoned_files(const std::string& directory) {

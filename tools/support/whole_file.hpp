@@ -21,16 +21,13 @@ namespace thinbench {
 /// protected. Throws FileError.
 void check_target(const std::string& path);
 
-/// Gives a finished file the place of `path`, on the same file system, or of what `path` leads to
-/// through symbolic links. The mode, owner and group of a file that is replaced remain. Where it
-/// has other names (hard links), or an owner that cannot be given to another file, it is
-/// overwritten instead: room on the disk is taken first, and until all is written, the finished
-/// file is also there as `path` + ".whole", which a kill or a failure leaves. Throws FileError.
-void replace_file(const std::string& path, const std::string& finished);
-
-/// Writes a hidden file beside the target, then replaces the target as replace_file does; nothing
-/// is left of the hidden file after a failure; after a kill, the next call for this target removes
-/// it. Thread-safe. Throws FileError.
+/// Writes a hidden file beside the target, then gives it the target's place, or that of what the
+/// target leads to through symbolic links. The mode, owner and group of a file that is replaced
+/// remain. Where it has other names (hard links), or an owner that cannot be given to another file,
+/// it is overwritten instead: room on the disk is taken first, and until all is written, the
+/// finished file is also there as `path` + ".whole", which a kill or a failure leaves. Nothing is
+/// left of the hidden file after a failure; after a kill, the next call for this target removes it.
+/// Thread-safe. Throws FileError.
 void write_whole_file(const std::string& path, std::string_view bytes);
 
 /// The same with a function that writes the hidden file, whose extension is that of `path`.

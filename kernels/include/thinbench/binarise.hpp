@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "br
 struct LocalThreshold {
   /// Side, odd, in [3, 65535]; 0: an eighth of the image's smaller side, at least 15.
   int window = 0;
-  int offset = 10;  // in grey levels, in [0, 255]
+  int offset = 10;  // in grey levels, in [0, 255], of 16 bits in [0, 65535]
 };
 
 struct Binarisation {
@@ -39,8 +39,8 @@ struct Binarisation {
   /// is shown; where both cover as much, the smaller class, and of equal ones the bright. With a
   /// local threshold: the side of their means to which pixels deviate farther, by the third moment.
   Foreground foreground = Foreground::automatic;
-  /// Pixels are bright at this grey level and above, [0, 255]; where there is none, from the level
-  /// on that Otsu's method finds, the same as OpenCV's.
+  /// Pixels are bright at this grey level and above, in [0, 255], of 16 bits in [0, 65535]; where
+  /// there is none, from the level on that Otsu's method finds, the same as OpenCV's.
   std::optional<int> threshold = std::nullopt;
   /// Instead of a threshold for the whole image.
   std::optional<LocalThreshold> local = std::nullopt;
@@ -56,7 +56,7 @@ struct Binarised {
   /// Of pixels within a tenth of the classes' distance from the threshold.
   double undecided_share = 0;
   std::optional<int> only_level;  // where all pixels have this one
-  bool was_binary = false;        // all grey levels were 0 or 255
+  bool was_binary = false;        // all grey levels were 0 or the highest, 255 or 65535
   int window = 0;                 // of the local threshold, if any
 };
 
@@ -70,9 +70,14 @@ struct Binarised {
 THINBENCH_API Binarised binarise(ConstImageView grey, ImageView destination,
                                  const Binarisation& request = {}, const Execution& execution = {});
 
+/// The same for grey levels of 16 bits. Views share no byte.
+THINBENCH_API Binarised binarise16(View<const std::uint16_t> grey, ImageView destination,
+                                   const Binarisation& request = {},
+                                   const Execution& execution = {});
+
 /// What of a colour becomes its grey level: 0.299 red + 0.587 green + 0.114 blue, one of the three,
-/// 255 (max - min) / max or max of the three; automatic: that of these whose two classes by Otsu's
-/// method have the greatest separation, of equal ones the first.
+/// 255 (max - min) / max or max of the three (65535 for 255 in 16 bits); automatic: that of these
+/// whose two classes by Otsu's method have the greatest separation, of equal ones the first.
 enum class Channel : std::uint8_t { grey, red, green, blue, saturation, value, automatic };
 
 /// As options name them, in the order of the enumerators.
@@ -87,19 +92,26 @@ inline constexpr std::array<std::string_view, 7> kChannelNames = {
   return detail::value_named<Channel>(kChannelNames, name);
 }
 
-/// Pixels of 3 or 4 bytes: red, green, blue and what is ignored. The stride is in bytes.
-struct ConstColourView {
-  const std::uint8_t* data = nullptr;
+/// Pixels of 3 or 4 samples: red, green, blue and what is ignored. The stride is in samples.
+template <class T>
+struct ColourView {
+  const T* data = nullptr;
   Index width = 0;
   Index height = 0;
   Index stride = 0;
   int samples = 3;
 };
+using ConstColourView = ColourView<std::uint8_t>;
 
 /// Writes a channel of a colour image and returns which. An image whose colours are all grey gives
 /// these grey levels, whatever the channel; that counts as Channel::grey. Views must have the same
 /// size and share no byte; at most 2^40 pixels; otherwise as binarise().
 THINBENCH_API Channel select_channel(ConstColourView colours, ImageView destination,
                                      Channel channel, const Execution& execution = {});
+
+/// The same for samples of 16 bits.
+THINBENCH_API Channel select_channel16(ColourView<std::uint16_t> colours,
+                                       View<std::uint16_t> destination, Channel channel,
+                                       const Execution& execution = {});
 
 }  // namespace thinbench

@@ -1,9 +1,6 @@
 // Images as OpenCV has them. Includes OpenCV.
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include <opencv2/core.hpp>
 
 #include "thinbench/image_view.hpp"
@@ -15,9 +12,5 @@ namespace thinbench {
   return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8UC1,
           const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
 }
-
-/// Writes what `draw` gives, 8-bit grey or colour (blue, green, red), in the format that the
-/// extension names, as a whole or not at all. Throws FileError, also where `draw` fails.
-void write_mat(const std::string& path, const std::function<cv::Mat()>& draw);
 
 }  // namespace thinbench

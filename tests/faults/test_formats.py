@@ -1,0 +1,363 @@
+"""What image files of every format and depth mean: levels of pixels, each file made here byte by byte or by Pillow."""
+
+from __future__ import annotations
+
+import json
+import struct
+import zlib
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from conftest import run
+from PIL import Image
+
+WHOLE = "--threshold 1 --foreground bright --min-area 2147483647 --overlay shown.png".split()
+
+
+def shown(path: Path, *options: str) -> list[list[int]]:
+    """The grey levels of an image, in 8 bits."""
+    result = run(["thinbench", "holes", path.name, *WHOLE, *options], path.parent)
+    assert result.status == 0, result
+    levels: list[list[int]] = np.asarray(Image.open(path.parent / "shown.png"))[..., 0].tolist()
+    return levels
+
+
+def rejected(path: Path, says: str, *options: str) -> None:
+    """With one line."""
+    run(["thinbench", "holes", path.name, *options], path.parent).assert_failed(says)
+
+
+def facts(path: Path, *options: str) -> dict[str, object]:
+    """What is found."""
+    result = run(["thinbench", "holes", path.name, "--json", *options], path.parent)
+    assert result.status == 0, result
+    found: dict[str, object] = json.loads(result.out)
+    return found | {"remarks": result.err.decode()}
+
+
+def objects(path: Path, *options: str) -> int:
+    """How many."""
+    found = facts(path, *options)["objects"]
+    assert isinstance(found, list)
+    return len(found)
+
+
+# TIFF.
+
+SHORT, LONG, DOUBLE = 3, 4, 12
+SIZES = {SHORT: "H", LONG: "I", DOUBLE: "d"}
+Tags = dict[int, tuple[int, Sequence[float]]]
+
+
+def tiff(width: int, height: int, blocks: Sequence[bytes], tags: Tags) -> bytes:
+    """Of these strips or tiles, little-endian and not compressed unless the tags say so."""
+    is_tiled = 322 in tags
+    offsets = [8 + sum(map(len, blocks[:i])) for i in range(len(blocks))]
+    every: Tags = {256: (LONG, [width]), 257: (LONG, [height]), 258: (SHORT, [8]), 259: (SHORT, [1]),
+                   262: (SHORT, [1]), 277: (SHORT, [1]), 278: (LONG, [height]),
+                   324 if is_tiled else 273: (LONG, offsets),
+                   325 if is_tiled else 279: (LONG, [len(block) for block in blocks])} | tags
+    data = b"".join(blocks)
+    data += b"\0" * (len(data) % 2)
+    entries, more = b"", b""
+    end = 8 + len(data) + 2 + 12 * len(every) + 4
+    for tag in sorted(every):
+        kind, values = every[tag]
+        packed = struct.pack(f"<{len(values)}{SIZES[kind]}", *values)
+        if len(packed) > 4:
+            more += packed
+            packed = struct.pack("<I", end + len(more) - len(packed))
+        entries += struct.pack("<HHI", tag, kind, len(values)) + packed.ljust(4, b"\0")
+    return b"II*\0" + struct.pack("<I", 8 + len(data)) + data + struct.pack("<H", len(every)) + entries + bytes(4) + more
+
+
+def grey(*levels: int) -> bytes:
+    return bytes(levels)
+
+
+def shorts(*values: int) -> bytes:
+    return struct.pack(f"<{len(values)}H", *[v % 65536 for v in values])
+
+
+EXTRA, FORMAT, PHOTOMETRIC, SAMPLES, BITS, PLANAR = 338, 339, 262, 277, 258, 284
+RGB, PALETTE, INKS, YCBCR, LAB = 2, 3, 5, 6, 8
+TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
+    "2 bits": (tiff(4, 1, [b"\x1b"], {BITS: (SHORT, [2])}), [[0, 85, 170, 255]]),
+    "4 bits": (tiff(3, 1, [b"\x0f\x70"], {BITS: (SHORT, [4])}), [[0, 255, 119]]),
+    "12 bits": (tiff(2, 1, [b"\x10\x0f\xff"], {BITS: (SHORT, [12])}), [[0x10, 0xFF]]),
+    "16 bits of 0 is white": (tiff(2, 1, [shorts(0, 65535)], {BITS: (SHORT, [16]), PHOTOMETRIC: (SHORT, [0])}), [[255, 0]]),
+    "8 bits with signs": (tiff(3, 1, [b"\xff\0\x7f"], {FORMAT: (SHORT, [2])}), [[127, 128, 255]]),
+    "16 bits with signs": (tiff(4, 1, [shorts(-1, 0, 300, 32767)], {BITS: (SHORT, [16]), FORMAT: (SHORT, [2])}),
+                           [[127, 128, 129, 255]]),
+    "16 bits with signs but no negative number": (
+        tiff(3, 1, [shorts(0, 1, 255)], {BITS: (SHORT, [16]), FORMAT: (SHORT, [2])}), [[0, 1, 255]]),
+    "grey with opacity": (tiff(2, 1, [b"\xc8\0\xc8\xff"], {SAMPLES: (SHORT, [2]), BITS: (SHORT, [8, 8]), EXTRA: (SHORT, [2])}),
+                          [[0, 200]]),
+    "grey multiplied by its opacity": (
+        tiff(2, 1, [b"\x20\x40\xc8\xff"], {SAMPLES: (SHORT, [2]), BITS: (SHORT, [8, 8]), EXTRA: (SHORT, [1])}), [[32, 200]]),
+    "colours of 1 bit": (tiff(2, 1, [b"\xe0"], {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [1] * 3)}),
+                         [[255, 0]]),
+    "colours of 16 bits": (
+        tiff(2, 1, [shorts(65535, 65535, 65535, 2570, 2570, 2570)],
+             {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [16] * 3)}), [[255, 10]]),
+    "colours in planes": (
+        tiff(2, 1, [b"\x05\xff", b"\x05\xff", b"\x05\xff"],
+             {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3), PLANAR: (SHORT, [2])}), [[5, 255]]),
+    "inks": (tiff(3, 1, [b"\0\0\0\0" b"\0\0\0\xff" b"\x80\x80\x80\0"],
+                  {PHOTOMETRIC: (SHORT, [INKS]), SAMPLES: (SHORT, [4]), BITS: (SHORT, [8] * 4)}), [[255, 0, 127]]),
+    "inks of 16 bits": (tiff(2, 1, [shorts(0, 0, 0, 0, 0, 0, 0, 65535)],
+                             {PHOTOMETRIC: (SHORT, [INKS]), SAMPLES: (SHORT, [4]), BITS: (SHORT, [16] * 4)}), [[255, 0]]),
+    "palette of 16 bits": (
+        tiff(2, 1, [shorts(0, 40000)],
+             {BITS: (SHORT, [16]), PHOTOMETRIC: (SHORT, [PALETTE]), 320: (SHORT, ([0] * 40000 + [25700] + [0] * 25535) * 3)}),
+        [[0, 100]]),
+    "YCbCr with few hues": (
+        tiff(4, 2, [b"\x0a\x14\x1e\x28\x80\x80" b"\x32\x3c\x46\x50\x80\x80"],
+             {PHOTOMETRIC: (SHORT, [YCBCR]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3), 530: (SHORT, [2, 2])}),
+        [[10, 20, 50, 60], [30, 40, 70, 80]]),
+    "Lab": (tiff(2, 1, [b"\0\0\0\xff\0\0"], {PHOTOMETRIC: (SHORT, [LAB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3)}),
+            [[0, 249]]),  # libtiff's white point; ImageMagick says 255
+    "a strip of more rows than there are": (tiff(2, 2, [grey(1, 2, 3, 255)], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
+    "32 bits": (tiff(2, 1, [struct.pack("<2I", 3, 255)], {BITS: (SHORT, [32])}), [[3, 255]]),
+    "32 bits above 65535": (tiff(3, 1, [struct.pack("<3I", 0, 10**6, 2 * 10**6)], {BITS: (SHORT, [32])}), [[0, 127, 255]]),
+    "real numbers": (tiff(4, 1, [struct.pack("<4f", -1, float("nan"), 0, 1)], {BITS: (SHORT, [32]), FORMAT: (SHORT, [3])}),
+                     [[0, 0, 128, 255]]),
+    "real numbers of 64 bits": (tiff(2, 1, [struct.pack("<2d", 3, 255)], {BITS: (SHORT, [64]), FORMAT: (SHORT, [3])}),
+                                [[3, 255]]),
+}
+
+
+@pytest.mark.parametrize("kind", TIFFS)
+def test_tiff(kind: str, tmp_path: Path) -> None:
+    data, levels = TIFFS[kind]
+    (tmp_path / "a.tif").write_bytes(data)
+    assert shown(tmp_path / "a.tif") == levels
+
+
+def test_tiles_that_the_image_does_not_fill(tmp_path: Path) -> None:
+    levels = np.random.RandomState(0).randint(0, 256, (20, 20))
+    padded = np.zeros((32, 32), np.uint16)
+    padded[:20, :20] = levels * 257
+    tiles = [padded[y:y + 16, x:x + 16].tobytes() for y in (0, 16) for x in (0, 16)]
+    (tmp_path / "a.tif").write_bytes(tiff(20, 20, tiles, {BITS: (SHORT, [16]), 322: (LONG, [16]), 323: (LONG, [16])}))
+    assert shown(tmp_path / "a.tif") == levels.tolist()
+
+
+@pytest.mark.parametrize("compression", [33003, 34712, 34892, 50013, 65000])
+def test_unknown_compression_is_named(compression: int, tmp_path: Path) -> None:
+    (tmp_path / "a.tif").write_bytes(tiff(2, 2, [bytes(4)], {259: (SHORT, [compression])}))
+    rejected(tmp_path / "a.tif", f"its compression {compression}.* is not supported")
+
+
+@pytest.mark.parametrize("compression", ["group3", "group4", "tiff_lzw", "tiff_adobe_deflate", "packbits"])
+@pytest.mark.parametrize("out", ["out.png", "out.tif"])
+def test_damaged_tiff_is_rejected_and_leniently_read(compression: str, out: str, tmp_path: Path) -> None:
+    noise = np.random.RandomState(0).rand(200, 300) < .5
+    Image.fromarray(noise).save(tmp_path / "a.tif", compression=compression)
+    data = bytearray((tmp_path / "a.tif").read_bytes())
+    data[len(data) // 3:len(data) // 3 + 40] = b"\xff\0" * 20 if compression == "packbits" else bytes(40)
+    if compression == "packbits":  # whatever its bytes, they mean pixels: too few of them
+        data = bytearray(tiff(300, 200, [bytes(data[8:3000])], {259: (SHORT, [32773]), BITS: (SHORT, [1])}))
+    (tmp_path / "a.tif").write_bytes(data)
+    words = ["thinbench", "run", "thin_guo_hall", "a.tif", out]
+    run(words, tmp_path).assert_failed("cannot read 'a.tif': ")
+    result = run([*words, "--lenient"], tmp_path)
+    assert result.status == 0 and b"warning: a.tif: " in result.err, result
+
+
+def test_lab_and_jpeg_in_tiff_are_those_of_pillow(tmp_path: Path) -> None:
+    ramp = np.add.outer(np.arange(64), 2 * np.arange(64)).astype(np.uint8)
+    Image.fromarray(np.dstack([ramp, ramp, ramp])).save(tmp_path / "a.tif", compression="jpeg", quality=95)
+    expected = np.asarray(Image.open(tmp_path / "a.tif").convert("L")).astype(int)
+    assert abs(np.array(shown(tmp_path / "a.tif")) - expected).max() <= 1
+
+
+def test_map_keeps_its_coordinates(tmp_path: Path) -> None:
+    line = np.zeros((9, 9), np.uint8)
+    line[4, 2:7] = 255
+    keys = [1, 1, 0, 2, 1025, 0, 1, 1, 3072, 0, 1, 25832]
+    (tmp_path / "a.tif").write_bytes(tiff(9, 9, [line.tobytes()], {
+        33550: (DOUBLE, [0.5, 0.5, 0]), 33922: (DOUBLE, [0, 0, 0, 4500000, 5400000, 0]), 34735: (SHORT, keys)}))
+    result = run(["thinbench", "graph", "a.tif", "--geojson", "a.json", "--crop", "1,0,8x9"], tmp_path)
+    assert result.status == 0 and b"GeoTIFF tags, EPSG:25832" in result.err, result
+    found = json.loads((tmp_path / "a.json").read_text())
+    assert found["crs"]["properties"]["name"] == "urn:ogc:def:crs:EPSG::25832"
+    assert [feature["geometry"]["coordinates"] for feature in found["features"]][:2] == [
+        [4500001.25, 5399997.75], [4500003.25, 5399997.75]]
+    run(["thinbench", "graph", "a.tif", "--geojson", "a.json", "--transform", "1,0,0,0,1,0"], tmp_path)
+    assert "crs" not in json.loads((tmp_path / "a.json").read_text())
+
+
+# 16 bits.
+
+def two_parts(low: int, first: int, second: int) -> npt.NDArray[np.uint16]:
+    image = np.full((60, 100), low, np.uint16)
+    image[10:40, 10:40] = first
+    image[20:50, 60:90] = second
+    return image
+
+
+@pytest.mark.parametrize("kind", ["png", "tif", "pgm"])
+def test_levels_of_16_bits_are_those_of_the_file(kind: str, tmp_path: Path) -> None:
+    path = tmp_path / f"a.{kind}"
+    levels = two_parts(530, 680, 690)
+    if kind == "pgm":
+        path.write_bytes(b"P5 100 60 4095\n" + levels.astype(">u2").tobytes())
+    else:
+        Image.fromarray(levels).save(path)
+    found = facts(path)
+    assert (objects(path), found["threshold"]) == (2, 531)
+    assert "note: " + path.name + ": 16 bits, levels 530 to 690; foreground is bright (grey level >= 531)" in str(found["remarks"])
+    assert objects(path, "--threshold", "685") == 1
+    assert objects(path, "--threshold", "local", "--window", "101") == 2
+
+
+def test_masks_of_labels_and_own_outputs_are_read_again(tmp_path: Path) -> None:
+    Image.fromarray(two_parts(0, 1, 2)).save(tmp_path / "labels16.png")
+    assert objects(tmp_path / "labels16.png") == 2
+    for command, out in [("labels", "b.png"), ("labels", "b.tif"), ("distance", "c.png"), ("distance --float", "c.tif")]:
+        words = command.split()
+        assert run(["thinbench", words[0], "labels16.png", out, *words[1:]], tmp_path).status == 0
+        assert objects(tmp_path / out) == 2, out
+
+
+def test_edges_of_16_bits_are_those_of_their_upper_8(tmp_path: Path) -> None:
+    deep = two_parts(40, 200, 220) * 257
+    Image.fromarray(deep).save(tmp_path / "a.png")
+    Image.fromarray((deep >> 8).astype(np.uint8)).save(tmp_path / "b.png")
+    for name in ("a", "b"):
+        assert run(["thinbench", "edges", f"{name}.png", f"{name}_edges.png"], tmp_path).status == 0
+    assert (tmp_path / "a_edges.png").read_bytes() == (tmp_path / "b_edges.png").read_bytes()
+
+
+def test_threshold_beyond_the_levels_of_8_bits(tmp_path: Path) -> None:
+    Image.fromarray(two_parts(0, 200, 255).astype(np.uint8)).save(tmp_path / "a.png")
+    rejected(tmp_path / "a.png", "--threshold: expected up to 255", "--threshold", "256")
+
+
+def test_many_labels_take_32_bits(tmp_path: Path) -> None:
+    dots = np.zeros((600, 600), np.uint8)
+    dots[::2, ::2] = 255
+    Image.fromarray(dots).save(tmp_path / "dots.png")
+    words = ["thinbench", "labels", "dots.png"]
+    run([*words, "out.png"], tmp_path).assert_failed("labels up to 90000")
+    assert run([*words, "out.tif"], tmp_path).status == 0
+    labels = np.asarray(Image.open(tmp_path / "out.tif"))
+    assert labels.max() == 90000 and labels[598, 598] == 90000
+    graph = run(["thinbench", "graph", "out.tif", "--labels", "--thinning", "none"], tmp_path)
+    assert graph.out.startswith(b"90000 nodes (90000 isolated), 0 edges"), graph.out[:99]
+
+
+def test_distances_as_real_numbers(tmp_path: Path) -> None:
+    Image.fromarray(two_parts(0, 255, 255).astype(np.uint8)).save(tmp_path / "a.png")
+    assert run(["thinbench", "distance", "a.png", "d.tif", "--float", "--spacing", "0.25"], tmp_path).status == 0
+    found = np.asarray(Image.open(tmp_path / "d.tif"))
+    assert found.dtype == np.float32 and found.max() == 3.75 and found[10, 10] == .25
+    run(["thinbench", "distance", "a.png", "d.png", "--float"], tmp_path).assert_failed("only .tif and .tiff", status=2)
+
+
+# BMP.
+
+def bmp(bits: int, compression: int, masks: bytes, pixels: bytes, width: int, height: int, size: int = 40,
+        colours: bytes = b"") -> bytes:
+    """`masks` belong to the header where that is larger than 40 bytes, else they follow it."""
+    head = struct.pack("<IiiHHIIiiII", size, width, height, 1, bits, compression, len(pixels), 0, 0, len(colours) // 4, 0) + masks
+    head = head.ljust(size, b"\0") + colours
+    return b"BM" + struct.pack("<IHHI", 14 + len(head) + len(pixels), 0, 0, 14 + len(head)) + head + pixels
+
+
+GREYS = b"".join(bytes([i, i, i, 0]) for i in range(256))
+M565, M555 = struct.pack("<3I", 0xF800, 0x7E0, 0x1F), struct.pack("<3I", 0x7C00, 0x3E0, 0x1F)
+BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
+    "masks of 32 bits": (bmp(32, 3, struct.pack("<3I", 0xFF000000, 0xFF0000, 0xFF00),
+                             struct.pack("<4I", 0xFFFFFF00, 0xFF000000, 0x00FF0000, 0), 4, 1), [[255, 76, 150, 0]]),
+    "16 bits": (bmp(16, 0, b"", shorts(0x7FFF, 0x3DEF, 0, 0), 4, 1), [[255, 123, 0, 0]]),
+    "4-4-4": (bmp(16, 3, struct.pack("<3I", 0xF00, 0xF0, 0xF), shorts(0xFFF, 0x888, 0, 0), 4, 1), [[255, 136, 0, 0]]),
+    "5-6-5": (bmp(16, 3, M565, shorts(0xFFFF, 0x8410, 0, 0), 4, 1), [[255, 131, 0, 0]]),
+    "5-5-5-1": (bmp(16, 3, M555 + struct.pack("<I", 0x8000), shorts(0xFFFF, 0xBDEF, 0x8000, 0x8000), 4, 1, 56), [[255, 123, 0, 0]]),
+    "version 3": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 52), [[255, 0]]),
+    "version 4": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 108), [[255, 0]]),
+    "version 5": (bmp(24, 0, b"", b"\7\7\7\xc8\xc8\xc8\0\0", 2, 1, 124), [[7, 200]]),
+    "top row first": (bmp(8, 0, b"", b"\1\2\0\0\3\4\0\0", 2, -2, colours=GREYS), [[1, 2], [3, 4]]),
+    "2 bits": (bmp(2, 0, b"", b"\x1b\0\0\0", 4, 1, colours=GREYS[:8] + GREYS[396:400] + GREYS[-4:]), [[0, 1, 99, 255]]),
+    "runs with padded rows": (bmp(8, 1, b"", bytes([6, 200, 2, 0, 0, 0]) * 4 + b"\0\1", 6, 4, colours=GREYS), [[200] * 6] * 4),
+    "runs of 4 bits, single pixels and steps": (
+        bmp(4, 2, b"", b"\3\x12\0\0" b"\0\3\x34\x50" b"\0\2\1\1" b"\1\x60\0\1", 5, 3, colours=GREYS[:64]),
+        [[0, 0, 0, 0, 6], [3, 4, 5, 0, 0], [1, 2, 1, 0, 0]]),
+    "OS/2": (b"BM" + struct.pack("<IHHI", 34, 0, 0, 32) + struct.pack("<IHHHH", 12, 2, 1, 1, 1) + b"\0\0\0\xff\xff\xff" + b"\x40\0\0\0",
+             [[0, 255]]),
+}
+
+
+@pytest.mark.parametrize("kind", BMPS)
+def test_bmp(kind: str, tmp_path: Path) -> None:
+    data, levels = BMPS[kind]
+    (tmp_path / "a.bmp").write_bytes(data)
+    assert shown(tmp_path / "a.bmp") == levels
+
+
+def test_bmp_that_is_not_read_says_why(tmp_path: Path) -> None:
+    (tmp_path / "a.bmp").write_bytes(bmp(0, 4, b"", b"\xff\xd8", 1, 1))
+    rejected(tmp_path / "a.bmp", "holds a JPEG or PNG file")
+    (tmp_path / "a.bmp").write_bytes(bmp(8, 1, b"", b"\6\1", 6, 4, colours=GREYS))
+    rejected(tmp_path / "a.bmp", "truncated")
+
+
+# Palettes and transparency.
+
+def chunk(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def test_palette_files_hold_labels(tmp_path: Path) -> None:
+    labels = np.zeros((9, 20), np.uint8)
+    labels[4, 2:8], labels[4, 11:18] = 1, 2
+    image = Image.fromarray(labels, "P")
+    image.putpalette([0, 0, 0, 255, 0, 0, 0, 255, 0])
+    for name in ("a.png", "a.bmp", "a.tif"):
+        image.save(tmp_path / name)
+        result = run(["thinbench", "graph", name, "--labels", "--thinning", "none"], tmp_path)
+        assert result.status == 0 and b"label 2" in result.out, result
+
+
+def write_drawing(path: Path) -> None:
+    """Black, in the channel of opacity alone."""
+    ink = np.zeros((60, 100, 4), np.uint8)
+    ink[10:40, 10:40, 3] = ink[20:50, 60:90, 3] = 255
+    if path.suffix == ".bmp":
+        masks = struct.pack("<4I", 0xFF0000, 0xFF00, 0xFF, 0xFF000000)
+        path.write_bytes(bmp(32, 3, masks, ink[::-1].tobytes(), 100, 60, 108))
+    else:
+        Image.fromarray(ink).save(path)
+
+
+@pytest.mark.parametrize("name", ["a.png", "a.tif", "a.bmp"])
+def test_drawing_in_the_opacity_alone(name: str, tmp_path: Path) -> None:
+    write_drawing(tmp_path / name)
+    found = facts(tmp_path / name)
+    assert found["objects"] == [] and "--background black or white, or --channel alpha, takes it otherwise" in str(found["remarks"])
+    assert objects(tmp_path / name, "--channel", "alpha") == 2
+    assert objects(tmp_path / name, "--background", "white") == 2
+    assert objects(tmp_path / name, "--background", "black") == 0
+    assert "warning: a" not in str(facts(tmp_path / name, "--channel", "alpha")["remarks"])
+
+
+def test_opacity_that_is_not_there(tmp_path: Path) -> None:
+    Image.new("L", (3, 3)).save(tmp_path / "a.png")
+    rejected(tmp_path / "a.png", "--channel alpha: it has no transparency", "--channel", "alpha")
+
+
+# Holes drawn in time that their number takes.
+
+def test_overlay_of_many_holes(tmp_path: Path) -> None:
+    """Quadratic time would be minutes: a million holes of one object."""
+    plate = np.full((4002, 4002), 255, np.uint8)
+    plate[2::4, 2::4] = 0
+    Image.fromarray(plate).save(tmp_path / "a.png", compress_level=1)
+    result = run("thinbench holes a.png --threshold 128 --foreground bright --min-area 1 --overlay out.png".split(), tmp_path)
+    assert result.status == 0 and result.out.startswith(b"1 object, 1000000 holes"), result.out[:99]
+    drawn = np.asarray(Image.open(tmp_path / "out.png"))
+    assert (drawn[2402, 2402] == [255, 40, 40]).all() and (drawn[2401, 2402] == [255, 40, 40]).all()

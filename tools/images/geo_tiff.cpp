@@ -1,0 +1,62 @@
+#include "images/geo_tiff.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace thinbench {
+namespace {
+
+constexpr std::uint32_t kPixelScale = 33550, kTiePoint = 33922, kTransformation = 34264,
+                        kKeys = 34735;
+
+/// The values of a tag that libtiff does not know; empty if it is not there.
+template <class T>
+std::span<const T> values_of(const TiffHandle& tiff, std::uint32_t tag) {
+  std::uint32_t count = 0;
+  const T* values = nullptr;
+  const TIFFField* const field = TIFFFindField(tiff.get(), tag, TIFF_ANY);
+  const TIFFDataType type = sizeof(T) == 8 ? TIFF_DOUBLE : TIFF_SHORT;
+  if (field == nullptr || TIFFFieldDataType(field) != type) return {};
+  return TIFFGetField(tiff.get(), tag, &count, &values) == 1 ? std::span(values, count)
+                                                             : std::span<const T>();
+}
+
+/// The value of a GeoKey that is one number; 0 if it is not there.
+int key(std::span<const std::uint16_t> keys, int wanted) {
+  for (std::size_t i = 4; i + 4 <= keys.size(); i += 4) {
+    if (keys[i] == wanted && keys[i + 1] == 0) return keys[i + 3];
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<GeoReference> geo_reference_of(const TiffHandle& tiff) {
+  constexpr int raster_type = 1025, geographic = 2048, projected = 3072;
+  constexpr int pixel_is_point = 2, user_defined = 32767;
+  const auto scale = values_of<double>(tiff, kPixelScale), tie = values_of<double>(tiff, kTiePoint);
+  const auto matrix = values_of<double>(tiff, kTransformation);
+  const auto keys = values_of<std::uint16_t>(tiff, kKeys);
+  GeoReference place;
+  if (matrix.size() == 16) {
+    place.transform = {matrix[0], matrix[1], matrix[3], matrix[4], matrix[5], matrix[7]};
+  } else if (scale.size() >= 2 && tie.size() >= 6) {
+    place.transform = {scale[0], 0,         tie[3] - tie[0] * scale[0],
+                       0,        -scale[1], tie[4] + tie[1] * scale[1]};
+  } else {
+    return std::nullopt;
+  }
+  auto& [a, b, c, d, e, f] = place.transform;
+  if (key(keys, raster_type) == pixel_is_point) {  // coordinates are those of centres
+    c -= (a + b) / 2;
+    f -= (d + e) / 2;
+  }
+  const auto is_finite = [](double v) { return std::isfinite(v); };
+  if (!std::ranges::all_of(place.transform, is_finite)) return std::nullopt;
+  place.epsg = key(keys, projected) != 0 ? key(keys, projected) : key(keys, geographic);
+  if (place.epsg == user_defined) place.epsg = 0;
+  return place;
+}
+
+}  // namespace thinbench

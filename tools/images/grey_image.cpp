@@ -1,0 +1,240 @@
+#include "images/grey_image.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "images/blur.hpp"
+
+namespace thinbench {
+namespace {
+
+template <class T>
+constexpr std::uint32_t kMax = std::numeric_limits<T>::max();
+
+/// The memory of decoded samples, as an image.
+ByteImage adopted(Pixels& image) {
+  std::uint8_t* const data = image.bytes.release();
+  return {{data, image.width, image.height}, [](void* memory) { detail::give_block(memory); }};
+}
+
+// Numbers of 32 bits become levels of 16.
+
+/// Whole numbers up to 65535 remain; what is not a number counts as the lowest.
+template <class T>
+struct Scale {
+  double first = 0;
+  double step = 1;
+
+  explicit Scale(const Pixels& image) {
+    const T* const all = image.samples_of_row<T>(0);
+    double lowest = INFINITY, highest = -INFINITY;
+    bool fits = true;
+    for (Index i = 0; i < image.samples(); ++i) {
+      const auto value = static_cast<double>(all[i]);
+      if (std::isnan(value)) continue;
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+      fits = fits && value == std::floor(value);
+    }
+    if (!std::isfinite(highest - lowest))
+      throw DecodeError("it has no finite numbers, or infinite ones");
+    if ((fits && lowest >= 0 && highest <= 65535) || lowest == highest) {
+      first = lowest >= 0 && fits && highest <= 65535 ? 0 : lowest;
+      return;
+    }
+    first = lowest;
+    step = (highest - lowest) / 65535;
+  }
+
+  [[nodiscard]] std::uint16_t level(T value) const {
+    const double level = std::round((static_cast<double>(value) - first) / step);
+    return level >= 0 ? static_cast<std::uint16_t>(std::min(level, 65535.0)) : std::uint16_t{0};
+  }
+};
+
+template <class T>
+Pixels in_levels(const Pixels& image, GreyImage& grey) {
+  const Scale<T> scale(image);
+  Pixels levels = make_pixels(image.width, image.height, image.channels, SampleKind::u16);
+  const T* const from = image.samples_of_row<T>(0);
+  std::transform(from, from + image.samples(), levels.samples_of_row<std::uint16_t>(0),
+                 [&scale](T value) { return scale.level(value); });
+  grey.first = scale.first;
+  grey.step = scale.step;
+  levels.is_premultiplied = image.is_premultiplied;
+  levels.shows_black = image.shows_black;
+  return levels;
+}
+
+// Transparency.
+
+template <class T>
+bool has_transparent_pixels(const Pixels& image) {
+  const T* const all = image.samples_of_row<T>(0);
+  for (Index i = image.channels - 1; i < image.samples(); i += image.channels) {
+    if (all[i] < kMax<T>) return true;
+  }
+  return false;
+}
+
+template <class T>
+void flatten(const Pixels& image, Backdrop backdrop) {
+  T* pixel = image.samples_of_row<T>(0);
+  const int colours = image.channels - 1;
+  for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
+    const std::uint64_t opacity = pixel[colours], rest = kMax<T> - opacity;
+    for (int k = 0; k < colours; ++k) {
+      std::uint64_t level = pixel[k];
+      if (!image.is_premultiplied) level = (level * opacity + kMax<T> / 2) / kMax<T>;
+      if (backdrop == Backdrop::white) level = std::min<std::uint64_t>(level + rest, kMax<T>);
+      pixel[k] = static_cast<T>(level);
+    }
+  }
+}
+
+/// Without what is not needed: the opacity of grey, or all but that.
+template <class T>
+Pixels one_channel(const Pixels& image, int channel) {
+  Pixels levels = make_pixels(image.width, image.height, 1, image.kind);
+  const T* const from = image.samples_of_row<T>(0) + channel;
+  T* const to = levels.samples_of_row<T>(0);
+  for (Index i = 0; i < image.width * image.height; ++i) to[i] = from[i * image.channels];
+  return levels;
+}
+
+template <class T>
+std::string opacity_warning(const Pixels& image, const GreyChoice& choice) {
+  if (choice.opacity || choice.backdrop || !has_transparent_pixels<T>(image)) return {};
+  return std::string("the image is transparent in places; ") +
+         (image.shows_black ? "there it counts as black"
+                            : "the colours stored there count as if it were opaque") +
+         "; --background black or white, or --channel alpha, takes it otherwise";
+}
+
+// What is left has one or three channels, perhaps opacity, and is of T.
+
+template <class T>
+Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel) {
+  if (choice.opacity) return one_channel<T>(image, image.channels - 1);
+  if (image.channels <= 2) channel = Channel::grey;
+  if (image.channels == 1) return image;
+  if (image.channels == 2) return one_channel<T>(image, 0);
+  Pixels levels = make_pixels(image.width, image.height, 1, image.kind);
+  const ColourView<T> colours = {image.samples_of_row<T>(0), image.width, image.height,
+                                 image.width * image.channels, image.channels};
+  const View<T> to(levels.samples_of_row<T>(0), image.width, image.height);
+  if constexpr (sizeof(T) == 1) {
+    channel = select_channel(colours, to, channel);
+  } else {
+    channel = select_channel16(colours, to, channel);
+  }
+  return levels;
+}
+
+template <class T>
+Pixels levels_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
+  if (choice.opacity && !image.has_opacity()) {
+    throw DecodeError("--channel alpha: it has no transparency");
+  }
+  if (image.has_opacity()) {
+    warning = opacity_warning<T>(image, choice);
+    const Backdrop backdrop =
+        choice.backdrop.value_or(image.shows_black ? Backdrop::black : Backdrop::as_stored);
+    if (!choice.opacity && backdrop != Backdrop::as_stored) flatten<T>(image, backdrop);
+  }
+  return channel_of<T>(std::move(image), choice, channel);
+}
+
+Pixels cropped(Pixels image, const Crop& crop) {
+  if (crop.x + crop.width > image.width || crop.y + crop.height > image.height) {
+    throw DecodeError(fmt::format("--crop {},{},{}x{} is not inside the image of {} x {} pixels",
+                                  crop.x, crop.y, crop.width, crop.height, image.width,
+                                  image.height));
+  }
+  Pixels part = make_pixels(crop.width, crop.height, 1, image.kind);
+  for (Index y = 0; y < crop.height; ++y) {
+    std::copy_n(image.row(crop.y + y) + crop.x * sample_bytes(image.kind), part.row_bytes(),
+                part.row(y));
+  }
+  return part;
+}
+
+}  // namespace
+
+GreyImage grey_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
+  GreyImage grey;
+  grey.first = image.first;
+  grey.place = image.place;
+  if (grey.place && choice.crop.height > 0) {
+    auto& [a, b, c, d, e, f] = grey.place->transform;
+    const auto x = static_cast<double>(choice.crop.x), y = static_cast<double>(choice.crop.y);
+    c += a * x + b * y;
+    f += d * x + e * y;
+  }
+  if (image.kind == SampleKind::u32) image = in_levels<std::uint32_t>(image, grey);
+  if (image.kind == SampleKind::f32) image = in_levels<float>(image, grey);
+  const bool is_deep = image.kind == SampleKind::u16;
+  image = is_deep ? levels_of<std::uint16_t>(std::move(image), choice, channel, warning)
+                  : levels_of<std::uint8_t>(std::move(image), choice, channel, warning);
+  if (choice.crop.height > 0) image = cropped(std::move(image), choice.crop);
+  if (choice.blur > 0) blur(image, choice.blur);
+  grey.width = image.width;
+  grey.height = image.height;
+  if (is_deep) {
+    grey.deep.reset(reinterpret_cast<std::uint16_t*>(image.bytes.release()));
+  } else {
+    grey.bytes = adopted(image);
+  }
+  return grey;
+}
+
+LevelRange range_of(const GreyImage& image) {
+  const auto range = [&image](auto view) {
+    LevelRange found = {65535, 0};
+    for (Index y = 0; y < image.height; ++y) {
+      const auto [low, high] = std::minmax_element(view.row(y), view.row(y) + view.width);
+      found = {std::min<int>(found.lowest, *low), std::max<int>(found.highest, *high)};
+    }
+    return found;
+  };
+  return image.is_deep() ? range(image.deep_view()) : range(image.bytes.view());
+}
+
+GreyImage copy_of(const GreyImage& image) {
+  GreyImage copy;
+  if (image.is_deep()) {
+    const auto count = static_cast<std::size_t>(image.width * image.height);
+    copy.deep = detail::make_uninitialised<std::uint16_t>(count);
+    std::copy_n(image.deep.get(), count, copy.deep.get());
+  } else {
+    copy.bytes = copy_of(image.bytes.view());
+  }
+  copy.width = image.width;
+  copy.height = image.height;
+  copy.first = image.first;
+  copy.step = image.step;
+  copy.place = image.place;
+  return copy;
+}
+
+GreyImage in_bytes(GreyImage image) {
+  if (!image.is_deep()) return image;
+  const auto highest = static_cast<unsigned>(range_of(image).highest);
+  const int shift = std::max(0, static_cast<int>(std::bit_width(highest)) - 8);
+  image.bytes = ByteImage(image.width, image.height);
+  for (Index y = 0; y < image.height; ++y) {
+    const std::uint16_t* const from = image.deep_view().row(y);
+    std::transform(
+        from, from + image.width, image.bytes.view().row(y),
+        [shift](std::uint16_t level) { return static_cast<std::uint8_t>(level >> shift); });
+  }
+  image.deep.reset();
+  image.step *= 1 << shift;
+  return image;
+}
+
+}  // namespace thinbench
