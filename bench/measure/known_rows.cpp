@@ -16,7 +16,7 @@
 #include "measure/timed_call.hpp"
 #include "peers/peers.hpp"
 #include "support/progress.hpp"
-#include "support/regular_file.hpp"
+#include "support/file_bytes.hpp"
 
 namespace thinbench {
 
@@ -166,7 +166,7 @@ Json facts_json(const InputChoice& sources, const std::vector<TimedInput>& input
 Known::Known(const std::string& file, const std::vector<Operation>& operations) {
   constexpr std::size_t kMaxBytes = 1'000'000'000;
   try {
-    const Json facts = Json::parse(read_whole_file(file, kMaxBytes));
+    const Json facts = Json::parse(read_file(file, kMaxBytes).text());
     inputs = timed_inputs(sources_of(facts.at("sources")));
     for (const auto& [name, row] : facts.at("rows").items()) {
       rows.push_back({row_named(name, operations, inputs),
