@@ -72,11 +72,9 @@ class Registered {
     const std::string name = known.row.name + suffix;
     benchmark::RegisterBenchmark(name.c_str(), [this, &measured](benchmark::State& state) {
       repeat(state, measured, workspaces_);
-      if (delay_free(measured)) add_counters(state, measured.known.row);
+      add_counters(state, measured.known.row);
     })->Repetitions(measured.repetitions);
   }
-
-  static bool delay_free(const Measured& measured) { return measured.delay_ns == 0; }
 
   static void add_counters(benchmark::State& state, const TimedRow& row) {
     const auto pixels = static_cast<double>(row.input->width() * row.input->height());

@@ -15,8 +15,8 @@
 #include "harness/splitmix64.hpp"
 #include "measure/timed_call.hpp"
 #include "peers/peers.hpp"
-#include "support/progress.hpp"
 #include "support/file_bytes.hpp"
+#include "support/progress.hpp"
 
 namespace thinbench {
 
