@@ -33,7 +33,7 @@ def unmasked(image: Any, name: str = "image") -> Array:
 def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool | None = False) -> Array:
     """A bool or uint8 image in rows, or with `max_dimensions` of 3 also a stack of images.
 
-    What has the shape of a colour image is rejected as a stack where `stack` is None.
+    What has a last axis of 1 to 4, as images with channels have, is rejected as a stack unless `stack` is True.
     """
     if type(image) is np.ndarray and image.ndim == 2 and image.dtype in _BINARY:
         stride, step = image.strides
@@ -43,10 +43,11 @@ def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool
     if image.dtype not in _BINARY:
         raise TypeError(f"{name}: expected dtype bool or uint8, got {image.dtype}; "
                         f"`{name} != 0` or `{name} > threshold` makes one")
-    if is_colour(image) and not stack:
+    if image.ndim == 3 and 1 <= image.shape[2] <= 4 and not stack:
         advice = "; a stack of such images needs stack=True" if stack is None else ""
-        raise ValueError(f"{name}: expected a binary image, got shape {image.shape}, which looks like colours; "
-                         f"`thinbench.binarise({name})` makes a binary image{advice}")
+        one = f"`thinbench.binarise({name})` makes a binary image, " if is_colour(image) else ""
+        raise ValueError(f"{name}: expected a binary image, got shape {image.shape}, whose last axis looks like channels; "
+                         f"{one}`{name}[..., 0]` takes one channel{advice}")
     return with_rows(_with_dimensions(image, max_dimensions, name))
 
 

@@ -123,8 +123,16 @@ def test_stacks_where_an_image_is_needed(function):
                                       thinbench.skeleton_graph, thinbench.label_image])
 def test_a_photograph_is_rejected_with_the_way_to_a_binary_image(function, samples):
     photo = np.zeros((40, 60, samples), np.uint8)
-    said = f"shape (40, 60, {samples}), which looks like colours; `thinbench.binarise("
+    said = f"shape (40, 60, {samples}), whose last axis looks like channels; `thinbench.binarise("
     assert_rejected(ValueError, said, function, photo)
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+@pytest.mark.parametrize("dtype", [bool, np.uint8])
+def test_a_channel_axis_is_no_stack_unless_it_is_said(channels, dtype):
+    image = np.ones((20, 30, channels), dtype)
+    assert_rejected(ValueError, f"shape (20, 30, {channels}), whose last axis looks like channels; ", thinbench.thin, image)
+    assert thinbench.thin(image, stack=True).shape == image.shape
 
 
 @pytest.mark.parametrize("function", [thinbench.thin, thinbench.distances, thinbench.detect_edges,
@@ -290,7 +298,7 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (CV2.connectedComponents, [ONE], {"ltype": 3}, ValueError, "3"),
     (CV2.connectedComponents, [ONE, np.empty((3, 3))], {}, ValueError, "float64"),
     (CV2.connectedComponents, [ONE > 0], {}, TypeError, "bool"),
-    (CV2.connectedComponents, [CHECKERS, None, 4, CV2.CV_16U], {}, ValueError, "180000 labels"),
+    (CV2.connectedComponents, [CHECKERS, None, 4, CV2.CV_16U], {}, ValueError, "180000 objects were found, and CV_16U holds numbers up to 65535; use CV_32S"),
     (CV2.connectedComponentsWithStats, [ONE], {"stats": ONE}, NotImplementedError, "cv2"),
     (CV2.distanceTransform, [ONE, 1, 0], {}, NotImplementedError, "distanceType"),
     (CV2.distanceTransform, [ONE, 2, 5], {}, NotImplementedError, "maskSize"),

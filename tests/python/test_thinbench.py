@@ -54,7 +54,7 @@ def test_out_receives_the_result_and_may_be_the_image():
 @pytest.mark.parametrize("rule", ["guo_hall", "majority", "mb2"])
 @pytest.mark.parametrize("shape", [(2**62, 0, 0), (2**62, 0, 1), (2**62, 1, 0)])
 def test_stacks_without_pixels_take_no_time(rule, shape):
-    assert thinbench.thin(np.empty(shape, bool), rule, threads=2).shape == shape
+    assert thinbench.thin(np.empty(shape, bool), rule, threads=2, stack=True).shape == shape
 
 
 def test_partial_overlap_is_rejected():
@@ -178,4 +178,4 @@ def test_a_stack_three_pixels_wide_needs_a_word():
     expected = [thinbench.thin(image) for image in stack]
     np.testing.assert_array_equal(thinbench.thin(stack, stack=True), expected)
     np.testing.assert_array_equal(thinbench.thin_many(list(stack)), expected)
-    np.testing.assert_array_equal(thinbench.thin(stack != 0), np.array(expected) != 0)
+    np.testing.assert_array_equal(thinbench.thin(stack != 0, stack=True), np.array(expected) != 0)

@@ -234,7 +234,8 @@ def _converted(labels: npt.NDArray[np.int32], objects: int, ltype: int,
     """Labels of another type, in `out` if there is one."""
     dtype = _LABEL_TYPES[ltype]
     if objects > np.iinfo(dtype).max:
-        raise ValueError(f"ltype: expected a type for {objects} labels, got {ltype}")
+        raise ValueError(f"ltype: {objects} objects were found, and CV_16U holds numbers up to {np.iinfo(dtype).max}; "
+                         "use CV_32S")
     if out is None and ltype == CV_32S:
         return labels
     result = _arrays.result_for(labels, out, "labels", dtype)
