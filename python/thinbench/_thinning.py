@@ -89,7 +89,8 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
     out : array, optional
         Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
     stack : bool, optional
-        True: uint8 of shape (N, H, 3) or (N, H, 4) is a stack; by default it is rejected as colours.
+        True: shapes (N, H, 1) to (N, H, 4) are stacks; by default they are rejected, as the last axis may be
+        channels.
         False: nothing is a stack.
 
     Returns
