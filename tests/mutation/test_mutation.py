@@ -146,14 +146,14 @@ def toy_trial(tmp_path_factory: pytest.TempPathFactory) -> Trial:
     ("return sum + 0", "return sum - 0", "same code", ""),
     ("i = 0", "i = 1", "survived", ""),  # adds 0 no more
     ("(int n) {", "(int n) }", "not compiled", ""),
-    ("sum = sum + 1", "sum = sum", "killed", "toy_test (status -9)"),  # never ends
+    ("sum = sum + 1", "sum = sum", "killed", "toy_test ("),  # never ends: by the limit of the processor or, on a busy machine, of the wall
 ])
 def test_a_mutant_is_judged_by_its_code_and_its_tests(
         trial: Trial, before: str, after: str, state: str, test: str) -> None:
     line = next(line for line in TOY.splitlines() if before in line)
     change = Mutation("any", TOY.splitlines().index(line) + 1, line, line.replace(before, after))
     result = trial.result(Candidate(FAMILY, "toy.cpp", change, "a key"))
-    assert (result.state, result.test) == (state, test)
+    assert result.state == state and (result.test.startswith(test) if test else result.test == "")
     assert (trial.kernels / "toy.cpp").read_text(encoding="utf-8") == TOY
 
 
