@@ -262,7 +262,7 @@ FILES = {
     ("run thin_guo_hall - - < empty", 1, "standard input: the file is empty"),
     ("run thin_guo_hall - - < text", 1, "standard input: it is not an image of a known format"),
     ("run thin_guo_hall - - < zeros", 1, "standard input"),
-    ("labels dots.png out.png --foreground bright", 1, "90000 objects"),
+    ("labels dots.png out.png --foreground bright", 1, "labels up to 90000"),
     ("distance white.png out.png --foreground bright", 1, "all of it is foreground")])
 def test_what_cannot_be_is_one_line_and_makes_no_file(picture, tmp_path, monkeypatch, words, status, said):
     monkeypatch.chdir(tmp_path)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,6 +23,8 @@ class Mask {
       : mask_(mask), shift_(mask == 0 ? 0 : std::countr_zero(mask)), max_(mask >> shift_) {}
 
   [[nodiscard]] bool is_empty() const { return mask_ == 0; }
+  [[nodiscard]] bool is_byte() const { return max_ == 255 && shift_ % 8 == 0; }
+  [[nodiscard]] int byte() const { return shift_ / 8; }
   /// From 0 to 255, rounded.
   [[nodiscard]] std::uint8_t level(std::uint32_t pixel) const {
     const std::uint64_t value = (pixel & mask_) >> shift_, max = max_;
@@ -136,19 +139,27 @@ class BmpReader {
   }
 
   [[nodiscard]] Pixels by_masks() const {
-    const int channels = masks_[3].is_empty() ? 3 : 4;
-    Pixels image = make_pixels(width_, height_, channels, SampleKind::u8);
-    const std::size_t pixel_bytes = bits_ / 8;
+    const std::span masks(masks_.data(), masks_[3].is_empty() ? 3U : 4U);
+    Pixels image = make_pixels(width_, height_, static_cast<int>(masks.size()), SampleKind::u8);
+    const bool has_bytes = std::ranges::all_of(masks, &Mask::is_byte);
     for (Index y = 0; y < height_; ++y) {
-      const char* from = bytes_.data() + data_ + y * row_bytes();
-      std::uint8_t* to = row_of(image, y);
-      for (Index x = 0; x < width_; ++x, from += pixel_bytes) {
-        const std::uint32_t pixel = little_endian({from, pixel_bytes}, 0, pixel_bytes);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(channels); ++i)
-          *to++ = masks_[i].level(pixel);
-      }
+      const char* const from = bytes_.data() + data_ + y * row_bytes();
+      has_bytes ? copy_bytes(from, masks, row_of(image, y)) : scale(from, masks, row_of(image, y));
     }
     return image;
+  }
+
+  void copy_bytes(const char* from, std::span<const Mask> masks, std::uint8_t* to) const {
+    for (Index x = 0; x < width_; ++x, from += bits_ / 8) {
+      for (const Mask& mask : masks) *to++ = static_cast<std::uint8_t>(from[mask.byte()]);
+    }
+  }
+
+  void scale(const char* from, std::span<const Mask> masks, std::uint8_t* to) const {
+    for (Index x = 0; x < width_; ++x, from += bits_ / 8) {
+      const std::uint32_t pixel = little_endian({from, bits_ / 8}, 0, bits_ / 8);
+      for (const Mask& mask : masks) *to++ = mask.level(pixel);
+    }
   }
 
   /// Writers that know no opacity leave it at 0 everywhere.

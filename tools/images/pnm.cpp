@@ -1,10 +1,12 @@
 #include "images/pnm.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -101,20 +103,23 @@ Index min_bytes(char kind, const Header& header) {
   return bytes_of_rows(header.width, header.height, bits * header.channels) - (is_text ? 1 : 0);
 }
 
-/// The bits of one byte per pixel: 1 is black, or stored.
+/// 1 is black, or stored.
 void read_bits(std::string_view bytes, const Pixels& image, bool is_text, bool as_stored) {
-  const auto level = [as_stored](bool bit) {
-    return static_cast<std::uint8_t>(as_stored ? bit : bit ? 0 : 255);
-  };
-  Numbers digits(bytes, 0);
-  for (Index y = 0; y < image.height; ++y) {
-    const char* const from = bytes.data() + (is_text ? 0 : y * packed_row_bytes(image.width));
-    for (Index x = 0; x < image.width; ++x) {
-      const std::optional<bool> bit =
-          is_text ? digits.next_bit() : (from[x / 8] >> (7 - x % 8) & 1) != 0;
+  const std::array<std::uint8_t, 2> levels = {as_stored ? std::uint8_t{0} : std::uint8_t{255},
+                                              as_stored ? std::uint8_t{1} : std::uint8_t{0}};
+  if (is_text) {
+    Numbers digits(bytes, 0);
+    for (std::uint8_t& level : std::span(image.row(0), static_cast<std::size_t>(image.samples()))) {
+      const std::optional<bool> bit = digits.next_bit();
       if (!bit) throw DecodeError("the file is truncated");
-      image.row(y)[x] = level(*bit);
+      level = levels[*bit ? 1 : 0];
     }
+    return;
+  }
+  for (Index y = 0; y < image.height; ++y) {
+    const char* const from = bytes.data() + y * packed_row_bytes(image.width);
+    std::uint8_t* const to = image.row(y);
+    for (Index x = 0; x < image.width; ++x) to[x] = levels[from[x / 8] >> (7 - x % 8) & 1];
   }
 }
 
