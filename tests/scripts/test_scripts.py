@@ -33,7 +33,6 @@ def said(directory: Path, *words: str, **environment: str) -> tuple[int, str]:
     ("study --no-install --foreground dark", 2, "--foreground needs --image"),
     ("study --no-install --filter (", 2, "--filter: '(' is no regular expression"),
     ("study --no-install sweeps --only sizes", 2, "--only: invalid choice: 'sizes'"),
-    ("study --no-install sweeps --compiler clang --only size", 2, "--compiler measures the sweep isa; leave out --only"),
     ("study --no-install sweeps --seconds many", 2, "expected an integer from 1 to 999999, got 'many'"),
     ("study --no-install compare absent absent", 1, "absent/run.json: cannot be read"),
     ("study --no-install compare absent", 2, "expected two runs or more"),
