@@ -49,7 +49,7 @@ SampleReporter::SampleReporter(const std::string& samples, bool for_people)
 }
 
 bool SampleReporter::ReportContext(const Context& context) {
-  return display_->ReportContext(context);
+  return samples_.is_open() || display_->ReportContext(context);
 }
 
 void SampleReporter::ReportRuns(const std::vector<Run>& runs) {
@@ -60,11 +60,11 @@ void SampleReporter::ReportRuns(const std::vector<Run>& runs) {
     if (!for_people_) shown.push_back(named);
     if (for_people_ && is_for_people(run)) shown.push_back(without_probes(named));
   }
-  display_->ReportRuns(shown);
+  if (!samples_.is_open()) display_->ReportRuns(shown);
 }
 
 void SampleReporter::Finalize() {
-  display_->Finalize();
+  if (!samples_.is_open()) display_->Finalize();
 }
 
 void SampleReporter::write(const Run& run) {

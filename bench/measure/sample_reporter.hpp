@@ -1,4 +1,4 @@
-// Shows the results of Google Benchmark, and writes a line of CSV for each repetition.
+// Shows the results of Google Benchmark, or writes a line of CSV for each repetition.
 #pragma once
 
 #include <fstream>
@@ -12,8 +12,8 @@ namespace thinbench {
 
 class SampleReporter : public benchmark::BenchmarkReporter {
  public:
-  /// Writes to the file of this name, unless it is empty. `for_people` leaves one line of each
-  /// benchmark, the median. Throws FileError.
+  /// Writes to the file of this name and shows nothing, unless the name is empty. `for_people`
+  /// leaves one line of each benchmark, the median. Throws FileError.
   SampleReporter(const std::string& samples, bool for_people);
 
   bool ReportContext(const Context& context) override;

@@ -48,8 +48,7 @@ class Benchmarks:
         with tempfile.TemporaryDirectory() as work:
             known, samples = Path(work, "facts.json"), Path(work, "samples.csv")
             known.write_text(json.dumps(facts), encoding="utf-8")
-            done = subprocess.run([self.program, "--known", known, "--samples", samples, *options], check=False,
-                                  stdout=subprocess.DEVNULL)
+            done = subprocess.run([self.program, "--known", known, "--samples", samples, *options], check=False)
             if done.returncode != 0 and not (samples.exists() and os.path.getsize(samples)):
                 raise ReportError("a measuring process failed; see the line above")
             return _times(pd.read_csv(samples), facts["rows"])

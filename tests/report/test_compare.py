@@ -102,7 +102,7 @@ def test_runs_of_parallel_jobs_merge_without_a_server(tmp_path: Path) -> None:
     install(tmp_path / "builds" / "release")
     jobs = subprocess.run(
         ["parallel", "--will-cite", "--quote", "--jobs", "2", "/usr/bin/python3", HERE / "fake_study.py",
-         tmp_path / "builds", "sweeps", "--quick", "--only", "isa", "--out", tmp_path / "fleet/{}",
+         tmp_path / "builds", "sweeps", "--quick", "--seconds", "1", "--only", "isa", "--out", tmp_path / "fleet/{}",
          ":::", "one", "two"], check=False, text=True, capture_output=True)
     assert jobs.returncode == 0, jobs.stderr
     runs = sorted((tmp_path / "fleet").glob("*/sweeps"))

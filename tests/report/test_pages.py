@@ -84,7 +84,7 @@ def test_pages_are_a_run_of_their_own_beside_the_study(tmp_path: Path) -> None:
     (tmp_path / "scans").mkdir()
     for name in ("one.png", "two.png"):
         (tmp_path / "scans" / name).touch()
-    done = study(tmp_path / "builds", "pages", "--quick", "--images", tmp_path / "scans", "--out", tmp_path / "run")
+    done = study(tmp_path / "builds", "pages", "--quick", "--seconds", "1", "--images", tmp_path / "scans", "--out", tmp_path / "run")
     assert done.returncode == 0, done.stderr
     run = load_pages(tmp_path / "run")
     assert run and {row.input for row in run.rows} == {"one", "two"}

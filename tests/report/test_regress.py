@@ -317,6 +317,8 @@ def options_of(tmp_path: Path, **changes: object) -> Namespace:
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, **changes: object) -> tuple[str, int]:
     """The command, with programs that know their times, on a machine without other work."""
     monkeypatch.setattr(command, "is_clean", lambda: True)
+    for name in ("PROCESSES", "UPDATE_PROCESSES"):
+        monkeypatch.setattr(stored, name, 3)
     programs = install(tmp_path / "bin")
     return command.run_regress(None, options_of(tmp_path, **changes),  # type: ignore[arg-type]
                                lambda _root, _targets: programs)

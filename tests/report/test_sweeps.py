@@ -29,7 +29,7 @@ def _programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(name="run", scope="module")
 def _run(programs: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     directory = tmp_path_factory.mktemp("run")
-    done = study(programs, "sweeps", *SWEPT, "--out", directory)
+    done = study(programs, "sweeps", *SWEPT, "--seconds", "1", "--out", directory)
     assert (done.returncode, without_progress(done.stderr)) == (0, ""), done.stderr
     return directory
 
