@@ -350,6 +350,26 @@ def test_opacity_that_is_not_there(tmp_path: Path) -> None:
     rejected(tmp_path / "a.png", "--channel alpha: it has no transparency", "--channel", "alpha")
 
 
+# Pixels that are all alike.
+
+def test_colours_of_one_grey_level_are_told_apart_by_channel_auto(tmp_path: Path) -> None:
+    colours = np.full((60, 100, 3), (255, 0, 0), np.uint8)
+    colours[10:40, 10:40] = (0, 130, 0)
+    for name in ("a.png", "a.tif", "a.bmp"):
+        Image.fromarray(colours).save(tmp_path / name)
+        assert "its colours have the same grey level; --channel auto tells them apart" in str(facts(tmp_path / name)["remarks"])
+        assert objects(tmp_path / name, "--channel", "auto") == 1
+    Image.new("RGB", (5, 5), (255, 0, 0)).save(tmp_path / "a.png")
+    assert "--channel" not in str(facts(tmp_path / "a.png")["remarks"])
+
+
+def test_one_grey_level_is_named_with_the_range_of_the_file(tmp_path: Path) -> None:
+    Image.fromarray(np.full((5, 5), 480, np.uint16)).save(tmp_path / "a.png")
+    assert "the same grey level, 480 of 0 to 65535: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+    Image.new("L", (5, 5), 200).save(tmp_path / "a.png")
+    assert "the same grey level, 200 of 0 to 255: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+
+
 # Holes drawn in time that their number takes.
 
 def test_overlay_of_many_holes(tmp_path: Path) -> None:
