@@ -71,7 +71,8 @@ def tiff(width: int, height: int, blocks: Sequence[bytes], tags: Tags) -> bytes:
             more += packed
             packed = struct.pack("<I", end + len(more) - len(packed))
         entries += struct.pack("<HHI", tag, kind, len(values)) + packed.ljust(4, b"\0")
-    return b"II*\0" + struct.pack("<I", 8 + len(data)) + data + struct.pack("<H", len(every)) + entries + bytes(4) + more
+    count = struct.pack("<H", len(every))
+    return b"II*\0" + struct.pack("<I", 8 + len(data)) + data + count + entries + bytes(4) + more
 
 
 def grey(*levels: int) -> bytes:
@@ -83,49 +84,57 @@ def shorts(*values: int) -> bytes:
 
 
 EXTRA, FORMAT, PHOTOMETRIC, SAMPLES, BITS, PLANAR = 338, 339, 262, 277, 258, 284
-RGB, PALETTE, INKS, YCBCR, LAB = 2, 3, 5, 6, 8
+WHITE, GREY, RGB, PALETTE, INKS, YCBCR, LAB = 0, 1, 2, 3, 5, 6, 8
+
+
+def of(kind: int, samples: int, bits: int) -> Tags:
+    """Pixels of such samples."""
+    return {PHOTOMETRIC: (SHORT, [kind]), SAMPLES: (SHORT, [samples]), BITS: (SHORT, [bits] * samples)}
+
+
 TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
-    "2 bits": (tiff(4, 1, [b"\x1b"], {BITS: (SHORT, [2])}), [[0, 85, 170, 255]]),
-    "4 bits": (tiff(3, 1, [b"\x0f\x70"], {BITS: (SHORT, [4])}), [[0, 255, 119]]),
-    "12 bits": (tiff(2, 1, [b"\x10\x0f\xff"], {BITS: (SHORT, [12])}), [[0x10, 0xFF]]),
-    "16 bits of 0 is white": (tiff(2, 1, [shorts(0, 65535)], {BITS: (SHORT, [16]), PHOTOMETRIC: (SHORT, [0])}), [[255, 0]]),
+    "2 bits": (tiff(4, 1, [b"\x1b"], of(GREY, 1, 2)), [[0, 85, 170, 255]]),
+    "4 bits": (tiff(3, 1, [b"\x0f\x70"], of(GREY, 1, 4)), [[0, 255, 119]]),
+    "12 bits": (tiff(2, 1, [b"\x10\x0f\xff"], of(GREY, 1, 12)), [[0x10, 0xFF]]),
+    "16 bits of 0 is white": (tiff(2, 1, [shorts(0, 65535)], of(WHITE, 1, 16)), [[255, 0]]),
     "8 bits with signs": (tiff(3, 1, [b"\xff\0\x7f"], {FORMAT: (SHORT, [2])}), [[127, 128, 255]]),
-    "16 bits with signs": (tiff(4, 1, [shorts(-1, 0, 300, 32767)], {BITS: (SHORT, [16]), FORMAT: (SHORT, [2])}),
+    "16 bits with signs": (tiff(4, 1, [shorts(-1, 0, 300, 32767)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}),
                            [[127, 128, 129, 255]]),
     "16 bits with signs but no negative number": (
-        tiff(3, 1, [shorts(0, 1, 255)], {BITS: (SHORT, [16]), FORMAT: (SHORT, [2])}), [[0, 1, 255]]),
-    "grey with opacity": (tiff(2, 1, [b"\xc8\0\xc8\xff"], {SAMPLES: (SHORT, [2]), BITS: (SHORT, [8, 8]), EXTRA: (SHORT, [2])}),
+        tiff(3, 1, [shorts(0, 1, 255)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}), [[0, 1, 255]]),
+    "grey with opacity": (tiff(2, 1, [b"\xc8\0\xc8\xff"], of(GREY, 2, 8) | {EXTRA: (SHORT, [2])}),
                           [[0, 200]]),
     "grey multiplied by its opacity": (
-        tiff(2, 1, [b"\x20\x40\xc8\xff"], {SAMPLES: (SHORT, [2]), BITS: (SHORT, [8, 8]), EXTRA: (SHORT, [1])}), [[32, 200]]),
-    "colours of 1 bit": (tiff(2, 1, [b"\xe0"], {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [1] * 3)}),
+        tiff(2, 1, [b"\x20\x40\xc8\xff"], of(GREY, 2, 8) | {EXTRA: (SHORT, [1])}), [[32, 200]]),
+    "colours of 1 bit": (tiff(2, 1, [b"\xe0"], of(RGB, 3, 1)),
                          [[255, 0]]),
     "colours of 16 bits": (
         tiff(2, 1, [shorts(65535, 65535, 65535, 2570, 2570, 2570)],
-             {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [16] * 3)}), [[255, 10]]),
+             of(RGB, 3, 16)), [[255, 10]]),
     "colours in planes": (
         tiff(2, 1, [b"\x05\xff", b"\x05\xff", b"\x05\xff"],
-             {PHOTOMETRIC: (SHORT, [RGB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3), PLANAR: (SHORT, [2])}), [[5, 255]]),
+             of(RGB, 3, 8) | {PLANAR: (SHORT, [2])}), [[5, 255]]),
     "inks": (tiff(3, 1, [b"\0\0\0\0" b"\0\0\0\xff" b"\x80\x80\x80\0"],
-                  {PHOTOMETRIC: (SHORT, [INKS]), SAMPLES: (SHORT, [4]), BITS: (SHORT, [8] * 4)}), [[255, 0, 127]]),
+                  of(INKS, 4, 8)), [[255, 0, 127]]),
     "inks of 16 bits": (tiff(2, 1, [shorts(0, 0, 0, 0, 0, 0, 0, 65535)],
-                             {PHOTOMETRIC: (SHORT, [INKS]), SAMPLES: (SHORT, [4]), BITS: (SHORT, [16] * 4)}), [[255, 0]]),
+                             of(INKS, 4, 16)), [[255, 0]]),
     "palette of 16 bits": (
         tiff(2, 1, [shorts(0, 40000)],
-             {BITS: (SHORT, [16]), PHOTOMETRIC: (SHORT, [PALETTE]), 320: (SHORT, ([0] * 40000 + [25700] + [0] * 25535) * 3)}),
+             of(PALETTE, 1, 16) | {320: (SHORT, ([0] * 40000 + [25700] + [0] * 25535) * 3)}),
         [[0, 100]]),
     "YCbCr with few hues": (
         tiff(4, 2, [b"\x0a\x14\x1e\x28\x80\x80" b"\x32\x3c\x46\x50\x80\x80"],
-             {PHOTOMETRIC: (SHORT, [YCBCR]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3), 530: (SHORT, [2, 2])}),
+             of(YCBCR, 3, 8) | {530: (SHORT, [2, 2])}),
         [[10, 20, 50, 60], [30, 40, 70, 80]]),
-    "Lab": (tiff(2, 1, [b"\0\0\0\xff\0\0"], {PHOTOMETRIC: (SHORT, [LAB]), SAMPLES: (SHORT, [3]), BITS: (SHORT, [8] * 3)}),
+    "Lab": (tiff(2, 1, [b"\0\0\0\xff\0\0"], of(LAB, 3, 8)),
             [[0, 249]]),  # libtiff's white point; ImageMagick says 255
-    "a strip of more rows than there are": (tiff(2, 2, [grey(1, 2, 3, 255)], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
-    "32 bits": (tiff(2, 1, [struct.pack("<2I", 3, 255)], {BITS: (SHORT, [32])}), [[3, 255]]),
-    "32 bits above 65535": (tiff(3, 1, [struct.pack("<3I", 0, 10**6, 2 * 10**6)], {BITS: (SHORT, [32])}), [[0, 127, 255]]),
-    "real numbers": (tiff(4, 1, [struct.pack("<4f", -1, float("nan"), 0, 1)], {BITS: (SHORT, [32]), FORMAT: (SHORT, [3])}),
+    "a strip of more rows than there are": (
+        tiff(2, 2, [grey(1, 2, 3, 255)], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
+    "32 bits": (tiff(2, 1, [struct.pack("<2I", 3, 255)], of(GREY, 1, 32)), [[3, 255]]),
+    "32 bits above 65535": (tiff(3, 1, [struct.pack("<3I", 0, 10**6, 2 * 10**6)], of(GREY, 1, 32)), [[0, 127, 255]]),
+    "real numbers": (tiff(4, 1, [struct.pack("<4f", -1, float("nan"), 0, 1)], of(GREY, 1, 32) | {FORMAT: (SHORT, [3])}),
                      [[0, 0, 128, 255]]),
-    "real numbers of 64 bits": (tiff(2, 1, [struct.pack("<2d", 3, 255)], {BITS: (SHORT, [64]), FORMAT: (SHORT, [3])}),
+    "real numbers of 64 bits": (tiff(2, 1, [struct.pack("<2d", 3, 255)], of(GREY, 1, 64) | {FORMAT: (SHORT, [3])}),
                                 [[3, 255]]),
 }
 
@@ -142,7 +151,7 @@ def test_tiles_that_the_image_does_not_fill(tmp_path: Path) -> None:
     padded = np.zeros((32, 32), np.uint16)
     padded[:20, :20] = levels * 257
     tiles = [padded[y:y + 16, x:x + 16].tobytes() for y in (0, 16) for x in (0, 16)]
-    (tmp_path / "a.tif").write_bytes(tiff(20, 20, tiles, {BITS: (SHORT, [16]), 322: (LONG, [16]), 323: (LONG, [16])}))
+    (tmp_path / "a.tif").write_bytes(tiff(20, 20, tiles, of(GREY, 1, 16) | {322: (LONG, [16]), 323: (LONG, [16])}))
     assert shown(tmp_path / "a.tif") == levels.tolist()
 
 
@@ -166,6 +175,12 @@ def test_damaged_tiff_is_rejected_and_leniently_read(compression: str, out: str,
     run(words, tmp_path).assert_failed("cannot read 'a.tif': ")
     result = run([*words, "--lenient"], tmp_path)
     assert result.status == 0 and b"warning: a.tif: " in result.err, result
+
+
+def test_rows_too_long_for_the_decoder_are_one_line_with_the_name(tmp_path: Path) -> None:
+    (tmp_path / "a.tif").write_bytes(tiff(2**30 + 9, 9, [b"\xb4\xae\xaa"], {259: (SHORT, [2]), BITS: (SHORT, [1])}))
+    for out, says in (("out.tif", "there is not enough memory for it"), ("out.png", "it has more than 2\\^31 pixels")):
+        run(["thinbench", "run", "thin_guo_hall", "a.tif", out], tmp_path).assert_failed(f"cannot read 'a.tif': {says}")
 
 
 def test_lab_and_jpeg_in_tiff_are_those_of_pillow(tmp_path: Path) -> None:
@@ -210,7 +225,8 @@ def test_levels_of_16_bits_are_those_of_the_file(kind: str, tmp_path: Path) -> N
         Image.fromarray(levels).save(path)
     found = facts(path)
     assert (objects(path), found["threshold"]) == (2, 531)
-    assert "note: " + path.name + ": 16 bits, levels 530 to 690; foreground is bright (grey level >= 531)" in str(found["remarks"])
+    note = f"note: {path.name}: 16 bits, levels 530 to 690; foreground is bright (grey level >= 531)"
+    assert note in str(found["remarks"])
     assert objects(path, "--threshold", "685") == 1
     assert objects(path, "--threshold", "local", "--window", "101") == 2
 
@@ -218,7 +234,8 @@ def test_levels_of_16_bits_are_those_of_the_file(kind: str, tmp_path: Path) -> N
 def test_masks_of_labels_and_own_outputs_are_read_again(tmp_path: Path) -> None:
     Image.fromarray(two_parts(0, 1, 2)).save(tmp_path / "labels16.png")
     assert objects(tmp_path / "labels16.png") == 2
-    for command, out in [("labels", "b.png"), ("labels", "b.tif"), ("distance", "c.png"), ("distance --float", "c.tif")]:
+    outputs = [("labels", "b.png"), ("labels", "b.tif"), ("distance", "c.png"), ("distance --float", "c.tif")]
+    for command, out in outputs:
         words = command.split()
         assert run(["thinbench", words[0], "labels16.png", out, *words[1:]], tmp_path).status == 0
         assert objects(tmp_path / out) == 2, out
@@ -264,8 +281,9 @@ def test_distances_as_real_numbers(tmp_path: Path) -> None:
 def bmp(bits: int, compression: int, masks: bytes, pixels: bytes, width: int, height: int, size: int = 40,
         colours: bytes = b"") -> bytes:
     """`masks` belong to the header where that is larger than 40 bytes, else they follow it."""
-    head = struct.pack("<IiiHHIIiiII", size, width, height, 1, bits, compression, len(pixels), 0, 0, len(colours) // 4, 0) + masks
-    head = head.ljust(size, b"\0") + colours
+    used = len(colours) // 4
+    head = struct.pack("<IiiHHIIiiII", size, width, height, 1, bits, compression, len(pixels), 0, 0, used, 0)
+    head = (head + masks).ljust(size, b"\0") + colours
     return b"BM" + struct.pack("<IHHI", 14 + len(head) + len(pixels), 0, 0, 14 + len(head)) + head + pixels
 
 
@@ -277,17 +295,19 @@ BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
     "16 bits": (bmp(16, 0, b"", shorts(0x7FFF, 0x3DEF, 0, 0), 4, 1), [[255, 123, 0, 0]]),
     "4-4-4": (bmp(16, 3, struct.pack("<3I", 0xF00, 0xF0, 0xF), shorts(0xFFF, 0x888, 0, 0), 4, 1), [[255, 136, 0, 0]]),
     "5-6-5": (bmp(16, 3, M565, shorts(0xFFFF, 0x8410, 0, 0), 4, 1), [[255, 131, 0, 0]]),
-    "5-5-5-1": (bmp(16, 3, M555 + struct.pack("<I", 0x8000), shorts(0xFFFF, 0xBDEF, 0x8000, 0x8000), 4, 1, 56), [[255, 123, 0, 0]]),
+    "5-5-5-1": (bmp(16, 3, M555 + struct.pack("<I", 0x8000), shorts(0xFFFF, 0xBDEF, 0x8000, 0x8000), 4, 1, 56),
+                [[255, 123, 0, 0]]),
     "version 3": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 52), [[255, 0]]),
     "version 4": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 108), [[255, 0]]),
     "version 5": (bmp(24, 0, b"", b"\7\7\7\xc8\xc8\xc8\0\0", 2, 1, 124), [[7, 200]]),
     "top row first": (bmp(8, 0, b"", b"\1\2\0\0\3\4\0\0", 2, -2, colours=GREYS), [[1, 2], [3, 4]]),
     "2 bits": (bmp(2, 0, b"", b"\x1b\0\0\0", 4, 1, colours=GREYS[:8] + GREYS[396:400] + GREYS[-4:]), [[0, 1, 99, 255]]),
-    "runs with padded rows": (bmp(8, 1, b"", bytes([6, 200, 2, 0, 0, 0]) * 4 + b"\0\1", 6, 4, colours=GREYS), [[200] * 6] * 4),
+    "runs with padded rows": (bmp(8, 1, b"", bytes([6, 200, 2, 0, 0, 0]) * 4 + b"\0\1", 6, 4, colours=GREYS),
+                              [[200] * 6] * 4),
     "runs of 4 bits, single pixels and steps": (
         bmp(4, 2, b"", b"\3\x12\0\0" b"\0\3\x34\x50" b"\0\2\1\1" b"\1\x60\0\1", 5, 3, colours=GREYS[:64]),
         [[0, 0, 0, 0, 6], [3, 4, 5, 0, 0], [1, 2, 1, 0, 0]]),
-    "OS/2": (b"BM" + struct.pack("<IHHI", 34, 0, 0, 32) + struct.pack("<IHHHH", 12, 2, 1, 1, 1) + b"\0\0\0\xff\xff\xff" + b"\x40\0\0\0",
+    "OS/2": (b"BM" + struct.pack("<IHHIIHHHH", 34, 0, 0, 32, 12, 2, 1, 1, 1) + b"\0\0\0\xff\xff\xff" b"\x40\0\0\0",
              [[0, 255]]),
 }
 
@@ -338,7 +358,8 @@ def write_drawing(path: Path) -> None:
 def test_drawing_in_the_opacity_alone(name: str, tmp_path: Path) -> None:
     write_drawing(tmp_path / name)
     found = facts(tmp_path / name)
-    assert found["objects"] == [] and "--background black or white, or --channel alpha, takes it otherwise" in str(found["remarks"])
+    assert found["objects"] == []
+    assert "--background black or white, or --channel alpha, takes it otherwise" in str(found["remarks"])
     assert objects(tmp_path / name, "--channel", "alpha") == 2
     assert objects(tmp_path / name, "--background", "white") == 2
     assert objects(tmp_path / name, "--background", "black") == 0
@@ -350,6 +371,27 @@ def test_opacity_that_is_not_there(tmp_path: Path) -> None:
     rejected(tmp_path / "a.png", "--channel alpha: it has no transparency", "--channel", "alpha")
 
 
+# Pixels that are all alike.
+
+def test_colours_of_one_grey_level_are_told_apart_by_channel_auto(tmp_path: Path) -> None:
+    colours = np.full((60, 100, 3), (255, 0, 0), np.uint8)
+    colours[10:40, 10:40] = (0, 130, 0)
+    for name in ("a.png", "a.tif", "a.bmp"):
+        Image.fromarray(colours).save(tmp_path / name)
+        remarks = str(facts(tmp_path / name)["remarks"])
+        assert "its colours have the same grey level; --channel auto tells them apart" in remarks
+        assert objects(tmp_path / name, "--channel", "auto") == 1
+    Image.new("RGB", (5, 5), (255, 0, 0)).save(tmp_path / "a.png")
+    assert "--channel" not in str(facts(tmp_path / "a.png")["remarks"])
+
+
+def test_one_grey_level_is_named_with_the_range_of_the_file(tmp_path: Path) -> None:
+    Image.fromarray(np.full((5, 5), 480, np.uint16)).save(tmp_path / "a.png")
+    assert "the same grey level, 480 of 0 to 65535: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+    Image.new("L", (5, 5), 200).save(tmp_path / "a.png")
+    assert "the same grey level, 200 of 0 to 255: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+
+
 # Holes drawn in time that their number takes.
 
 def test_overlay_of_many_holes(tmp_path: Path) -> None:
@@ -357,7 +399,8 @@ def test_overlay_of_many_holes(tmp_path: Path) -> None:
     plate = np.full((4002, 4002), 255, np.uint8)
     plate[2::4, 2::4] = 0
     Image.fromarray(plate).save(tmp_path / "a.png", compress_level=1)
-    result = run("thinbench holes a.png --threshold 128 --foreground bright --min-area 1 --overlay out.png".split(), tmp_path)
+    words = "thinbench holes a.png --threshold 128 --foreground bright --min-area 1 --overlay out.png"
+    result = run(words.split(), tmp_path)
     assert result.status == 0 and result.out.startswith(b"1 object, 1000000 holes"), result.out[:99]
     drawn = np.asarray(Image.open(tmp_path / "out.png"))
     assert (drawn[2402, 2402] == [255, 40, 40]).all() and (drawn[2401, 2402] == [255, 40, 40]).all()

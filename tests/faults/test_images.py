@@ -247,8 +247,10 @@ def test_limit_of_pixels_can_be_lowered(tmp_path: Path) -> None:
     """For services."""
     GREY.save(tmp_path / "a.png")
     lower = Fault("", environment={"THINBENCH_MAX_PIXELS": "59999"})
-    run(["thinbench", "holes", "a.png"], tmp_path, lower).assert_failed(
-        "it has more pixels than THINBENCH_MAX_PIXELS=59999 allows")
+    GREY.convert("1").save(tmp_path / "bits.tif")
+    for words in ("holes a.png", "run thin_guo_hall bits.tif out.tif"):
+        run(["thinbench", *words.split()], tmp_path, lower).assert_failed(
+            "it has more pixels than THINBENCH_MAX_PIXELS=59999 allows")
 
 
 # Memory: what the file, the image and the operation need, 10 % and, to find more in images of this size, 4 MB instead of 64.

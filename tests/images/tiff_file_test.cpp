@@ -139,8 +139,7 @@ TEST_F(TiffReading, sizes_are_checked_before_memory_is_taken) {
   EXPECT_EQ(reason(whole.substr(0, whole.size() - 1)), "the file is truncated");
   EXPECT_EQ(reason(plain_tiff(16, 6, 1, 1, rows)), "the file is truncated");
   EXPECT_EQ(reason(plain_tiff(4'000'000'000, 5, 1, 1, rows)), "the file is truncated");
-  EXPECT_EQ(reason(plain_tiff(4'000'000'000, 1000, 1, 1, rows)),
-            "its size is 4000000000 x 1000; expected 1 to 2^40 pixels");
+  EXPECT_EQ(reason(plain_tiff(4'000'000'000, 1000, 1, 1, rows)), "it has more than 2^40 pixels");
   for (const int compression :
        {COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS, COMPRESSION_CCITTFAX4}) {
     EXPECT_EQ(reason(plain_tiff(1'000'000, 1000, 1, 1, rows, compression)),

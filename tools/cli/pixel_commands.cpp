@@ -208,8 +208,9 @@ Command add_distance_command(CLI::App& program) {
   thinbench distance slice.png distance.tif --spacing 0.5,2
   thinbench distance map.tif distance.tif --foreground bright
 
-OUT holds the Euclidean distance to the nearest pixel of the background, rounded to a whole number of
-pixels or of the unit of --spacing, and 0 on the background. What is outside the image does not count. Sides are at most 32767 pixels.)",
+OUT holds the Euclidean distance to the nearest pixel of the background, in pixels or the unit of
+--spacing and, without --float, rounded to a whole number; 0 on the background. What is outside the
+image does not count. Sides are at most 32767 pixels.)",
                 distance_levels});
 }
 

@@ -32,9 +32,11 @@ std::string note(const BinaryImage& binary, const BinariseOptions& options) {
 
 std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& options) {
   if (binary.only_level) {
-    return fmt::format(
-        "all pixels have the same grey level, {:.9g}: {}", binary.number_of(*binary.only_level),
-        binary.foreground_share > 0 ? "all of them are foreground" : "none is foreground");
+    const char* const what =
+        binary.foreground_share > 0 ? "all of them are foreground" : "none is foreground";
+    return fmt::format("all pixels have the same grey level, {:.9g} of {:.9g} to {:.9g}: {}",
+                       binary.number_of(*binary.only_level), binary.number_of(0),
+                       binary.number_of(binary.range.empty() ? 255 : 65535), what);
   }
   const bool is_clear =
       binary.separation >= kMinSeparation || binary.undecided_share <= kMaxUndecided;

@@ -1,7 +1,6 @@
 #include "images/codecs.hpp"
 
 #include <algorithm>
-#include <new>
 
 #include <fmt/format.h>
 
@@ -43,13 +42,7 @@ Pixels decode_known(std::string_view bytes, const Decoding& request) {
 }  // namespace
 
 Pixels decode(const FileBytes& file, const Decoding& request) {
-  try {
-    return decode_known(file.text(), request);
-  } catch (const DecodeError& error) {
-    cannot_read(file.name(), one_line(error.what()));
-  } catch (const std::bad_alloc&) {
-    cannot_read(file.name(), "there is not enough memory for it");
-  }
+  return naming(file, [&] { return decode_known(file.text(), request); });
 }
 
 int page_count(const FileBytes& file) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <string>
 #include <string_view>
 
 #include "images/pixels.hpp"
 #include "support/file_bytes.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 
@@ -20,6 +22,18 @@ struct Decoding {
 /// reason where the bytes are no image of a known format, damaged, or too few for the size that
 /// they claim; then no memory was taken.
 [[nodiscard]] Pixels decode(const FileBytes& file, const Decoding& request = {});
+
+/// Calls decode(), whose errors become a FileError that names the file.
+template <class Decode>
+auto naming(const FileBytes& file, const Decode& decode) {
+  try {
+    return decode();
+  } catch (const DecodeError& error) {
+    cannot_read(file.name(), one_line(error.what()));
+  } catch (const std::bad_alloc&) {
+    cannot_read(file.name(), "there is not enough memory for it");
+  }
+}
 
 /// The number of images in a TIFF file; 1 for all others.
 [[nodiscard]] int page_count(const FileBytes& file);

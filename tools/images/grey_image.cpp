@@ -117,8 +117,18 @@ std::string opacity_warning(const Pixels& image, const GreyChoice& choice) {
 
 // What is left has one or three channels, perhaps opacity, and is of T.
 
+/// Whether all pixels are equal, opacity aside.
 template <class T>
-Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel) {
+bool is_even(const Pixels& image) {
+  const T* const all = image.samples_of_row<T>(0);
+  for (Index i = 0; i < image.samples(); i += image.channels) {
+    if (!std::equal(all, all + std::min(image.channels, 3), all + i)) return false;
+  }
+  return true;
+}
+
+template <class T>
+Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
   if (choice.opacity) return one_channel<T>(image, image.channels - 1);
   if (image.channels <= 2) channel = Channel::grey;
   if (image.channels == 1) return image;
@@ -131,6 +141,10 @@ Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel) {
     channel = select_channel(colours, to, channel);
   } else {
     channel = select_channel16(colours, to, channel);
+  }
+  if (channel == Channel::grey && is_even<T>(levels) && !is_even<T>(image)) {
+    if (!warning.empty()) warning += "; ";
+    warning += "its colours have the same grey level; --channel auto tells them apart";
   }
   return levels;
 }
@@ -146,7 +160,7 @@ Pixels levels_of(Pixels image, const GreyChoice& choice, Channel& channel, std::
         choice.backdrop.value_or(image.shows_black ? Backdrop::black : Backdrop::as_stored);
     if (!choice.opacity && backdrop != Backdrop::as_stored) flatten<T>(image, backdrop);
   }
-  return channel_of<T>(std::move(image), choice, channel);
+  return channel_of<T>(std::move(image), choice, channel, warning);
 }
 
 Pixels cropped(Pixels image, const Crop& crop) {

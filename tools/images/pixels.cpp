@@ -21,15 +21,16 @@ Index bytes_of_rows(Index width, Index height, Index bits_per_pixel) {
 
 namespace {
 
-/// What the environment allows, at most kMaxImagePixels.
-Index allowed_pixels() {
+constexpr Index kMaxPackedPixels = Index{1} << 40;
+
+/// What the environment allows, at most `most`.
+Index allowed_pixels(Index most) {
   const char* const text = std::getenv(kMaxPixelsVariable);
-  if (text == nullptr) return kMaxImagePixels;
+  if (text == nullptr) return most;
   Index pixels = 0;
   const char* const end = text + std::strlen(text);
   const auto result = std::from_chars(text, end, pixels);
-  if (result.ec == std::errc() && result.ptr == end && pixels >= 1)
-    return std::min(pixels, kMaxImagePixels);
+  if (result.ec == std::errc() && result.ptr == end && pixels >= 1) return std::min(pixels, most);
   throw DecodeError(
       fmt::format("{}: expected a number of pixels, got '{}'", kMaxPixelsVariable, text));
 }
@@ -39,14 +40,13 @@ Index allowed_pixels() {
 void check_size(Index width, Index height, SampleKind kind) {
   if (width < 1 || height < 1) throw DecodeError("it is damaged or has no pixels");
   const bool is_packed = kind == SampleKind::bit;
-  if (is_packed && height > (Index{1} << 40) / width) {
-    throw DecodeError(fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", width, height));
-  }
-  const Index allowed = is_packed ? INT64_MAX : allowed_pixels();
+  const Index most = is_packed ? kMaxPackedPixels : kMaxImagePixels, allowed = allowed_pixels(most);
   if (height <= allowed / width) return;
-  throw DecodeError(allowed == kMaxImagePixels ? std::string("it has more than 2^31 pixels")
-                                               : fmt::format("it has more pixels than {}={} allows",
-                                                             kMaxPixelsVariable, allowed));
+  if (allowed < most) {
+    throw DecodeError(
+        fmt::format("it has more pixels than {}={} allows", kMaxPixelsVariable, allowed));
+  }
+  throw DecodeError(fmt::format("it has more than 2^{} pixels", is_packed ? 40 : 31));
 }
 
 Pixels make_pixels(Index width, Index height, int channels, SampleKind kind) {

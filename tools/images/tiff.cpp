@@ -440,6 +440,28 @@ Pixels stored(const TiffHandle& tiff, const Layout& layout, SampleKind kind, boo
   return image;
 }
 
+/// Nothing if the first image is none that stays packed.
+std::optional<PackedPage> packed_page(std::string_view bytes) {
+  TiffHandle tiff(bytes);
+  open_page(tiff, 0);
+  const Layout layout = layout_of(tiff);
+  const bool is_upright =
+      tiff.number(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) == ORIENTATION_TOPLEFT;
+  if (layout.is_tiled || layout.bits != 1 || layout.samples != 1 || !is_upright ||
+      layout.photometric > PHOTOMETRIC_MINISBLACK) {
+    return std::nullopt;
+  }
+  check_compression(layout.compression);
+  PackedPage page = {stored(tiff, layout, SampleKind::bit, false), {}};
+  page.format = {layout.compression,
+                 tiff.number(TIFFTAG_RESOLUTIONUNIT, 2),
+                 {tiff.real_number(TIFFTAG_XRESOLUTION), tiff.real_number(TIFFTAG_YRESOLUTION)}};
+  const PackedView bits(page.pixels.bytes.get(), layout.width, layout.height, BitOrder::msb_first);
+  invert(bits);
+  if (layout.photometric == PHOTOMETRIC_MINISBLACK) invert(bits);
+  return page;
+}
+
 }  // namespace
 
 bool is_tiff(std::string_view bytes) {
@@ -475,29 +497,7 @@ Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
 
 std::optional<PackedPage> decode_packed_tiff(const FileBytes& file) {
   if (!is_tiff(file.text())) return std::nullopt;
-  try {
-    TiffHandle tiff(file.text());
-    open_page(tiff, 0);
-    const Layout layout = layout_of(tiff);
-    const bool is_upright =
-        tiff.number(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) == ORIENTATION_TOPLEFT;
-    if (layout.is_tiled || layout.bits != 1 || layout.samples != 1 || !is_upright ||
-        layout.photometric > PHOTOMETRIC_MINISBLACK) {
-      return std::nullopt;
-    }
-    check_compression(layout.compression);
-    PackedPage page = {stored(tiff, layout, SampleKind::bit, false), {}};
-    page.format = {layout.compression,
-                   tiff.number(TIFFTAG_RESOLUTIONUNIT, 2),
-                   {tiff.real_number(TIFFTAG_XRESOLUTION), tiff.real_number(TIFFTAG_YRESOLUTION)}};
-    const PackedView bits(page.pixels.bytes.get(), layout.width, layout.height,
-                          BitOrder::msb_first);
-    invert(bits);
-    if (layout.photometric == PHOTOMETRIC_MINISBLACK) invert(bits);
-    return page;
-  } catch (const DecodeError& error) {
-    cannot_read(file.name(), error.what());
-  }
+  return naming(file, [&] { return packed_page(file.text()); });
 }
 
 void invert(const PackedView& image) {
