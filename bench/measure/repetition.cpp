@@ -14,8 +14,10 @@ namespace {
 
 /// Seconds that a repetition of short calls lasts.
 constexpr double kRepetition = 0.0003;
-/// Calls longer than this are not warmed up: it would take as long as measuring.
+/// Calls longer than this are not warmed up: it would take as long as measuring. References are the
+/// slow ones, whose time new memory changes least.
 constexpr double kSlowCall = 0.05;
+constexpr double kSlowReference = 0.005;
 constexpr double kMinRepetitions = 4;
 constexpr double kMaxRepetitions = 25;
 
@@ -52,7 +54,8 @@ void measure(benchmark::State& state, const Measured& measured, TimedCall& call)
 Measured::Measured(const KnownRow& row, double seconds) : known(row) {
   calls = std::max<std::int64_t>(1, std::llround(kRepetition / row.seconds));
   // The job is new, and another row has left caches and branch predictor in its own state.
-  if (row.seconds <= kSlowCall) warm_up = 1 + calls / 3;
+  const bool is_reference = row.row.variant == nullptr;
+  if (row.seconds <= (is_reference ? kSlowReference : kSlowCall)) warm_up = 1 + calls / 3;
   const double each = static_cast<double>(calls + warm_up) * row.seconds;
   repetitions =
       static_cast<int>(std::clamp(std::round(seconds / each), kMinRepetitions, kMaxRepetitions));

@@ -2,9 +2,10 @@
 
 Beside each repetition of a row a probe runs before and after it: a few microseconds of independent additions, as many
 as a core can do. A busy neighbour on the same core makes the probe slower, and so does a slower clock. A repetition
-counts where it was quiet: neither of its probes took much longer than the fastest of the run, and both took the same.
+counts where it was quiet: neither of its probes took much longer than the fastest of the run, and both took about the same.
 It counts as a multiple of its own two probes, which takes out the clock. Which repetitions count does not depend on
-what they measured, so more of them bring no bias.
+what they measured, so more of them bring no bias. Of a call longer than LONG the probes see the ends only: it counts where
+one of them was quiet, as a multiple of that one.
 
     time of a row     = 10 % quantile of (repetition / mean of its probes), times the probe of the run
     speed-up of a row = time of the reference / time of the row
@@ -24,8 +25,11 @@ import pandas as pd
 FASTEST = 0.005
 """The quantile that stands for the fastest probe of a run."""
 
-GATE, AGREE = 1.06, 0.02
+GATE, AGREE = 1.06, 0.03
 """How long a quiet probe takes at most, over the fastest, and how far the two of a repetition may differ."""
+
+LONG = 1e6
+"""Nanoseconds."""
 
 QUANTILE = 0.1
 
@@ -75,7 +79,12 @@ class Estimates:
         cycles = (samples["cycle"] / probes.mean(axis=1))[quiet if quiet.any() else slice(None)]
         self.cycle_ns = self.probe_ns * float(np.median(cycles))
         table = samples if own is None else own
-        table = table.assign(quiet=self._is_quiet(table), relative=table["ns"] / table[["before", "after"]].mean(axis=1))
+        probe = table[["before", "after"]]
+        usual = table["ns"].groupby(table["row"]).transform("median") <= LONG
+        relative = (table["ns"] / probe.mean(axis=1)).where(
+            usual, table["ns"] / probe.min(axis=1).clip(self.probe_ns, GATE * self.probe_ns))
+        quiet_end = probe.min(axis=1) < GATE * self.probe_ns
+        table = table.assign(quiet=np.where(usual, self._is_quiet(table), quiet_end), relative=relative)
         self._rows = dict(iter(table.groupby("row", sort=False)))
         self._counts = _resampled(int(samples["process"].max()) + 1)
         self._found: dict[str, Time] = {}
