@@ -83,13 +83,19 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> t
     directory = run_directory(options, machine)
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
     measurement, complete = measure_parts(benchmarks, directory, _options_json(options), machine, options,
-                                          lambda: [Part(benchmarks.verify(words)) for words in plans_of(options)])
+                                          lambda: [Part(benchmarks.verify(words), options=_short(options))
+                                                   for words in plans_of(options)])
     write_run(directory, machine, _options_json(options), measurement.parts)
     write_pictures(programs / "thinbench-study", directory, options)
     if complete:
         measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
     return finished(measurement, complete, build_page(directory))
+
+
+def _short(options: argparse.Namespace) -> list[str]:
+    """So that a quick run, too, has more than a few processes: a neighbour stays for seconds."""
+    return ["--seconds-per-row", "0.003"] if options.quick else []
 
 
 def plans_of(options: argparse.Namespace) -> list[list[str]]:
