@@ -27,8 +27,8 @@ struct KnownRow {
 /// The same for all. Rows of which a call takes more than `max_seconds` become skipped.
 [[nodiscard]] std::vector<KnownRow> calibrate_rows(Selection& selection, double max_seconds);
 
-/// Facts on what was verified, for whoever starts measuring processes and reads their samples:
-/// "sources", "inputs", "peers", "rows" by name, "skipped", "verified" and "mismatches".
+/// Facts on what was verified, for a program that starts measuring processes and reads their
+/// samples: "sources", "inputs", "peers", "rows" by name, "skipped", "verified" and "mismatches".
 /// docs/measuring.md describes them.
 [[nodiscard]] nlohmann::ordered_json facts_json(const InputChoice& sources,
                                                 const std::vector<TimedInput>& inputs,
