@@ -186,7 +186,7 @@ void add_options(CLI::App& app, BenchmarkOptions& options) {
       ->excludes(facts);
   app.footer(
       R"(Every row is verified against its reference before it is measured. A repetition is about 0.3 ms of
-calls, or one longer call, of a job made anew; repetitions of all rows are interleaved. ROW/again and
+calls, or one longer call, of a new job; repetitions of all rows are interleaved. ROW/again and
 ROW/slowed are controls: the fastest row of each case once more, and with a delay of a tenth. Shown
 is the median of the repetitions. Options that start with --benchmark_ go to Google Benchmark;
 --benchmark_filter also chooses what is verified, unless --filter does.

@@ -1,4 +1,4 @@
-// One repetition of a benchmark: a job made anew, warmed up, and timed between two probes.
+// One repetition of a benchmark: a new job, warmed up, and timed between two probes.
 #pragma once
 
 #include <map>

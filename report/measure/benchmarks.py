@@ -44,7 +44,8 @@ class Benchmarks:
 
     def measure(self, facts: Json, options: Sequence[str] = ()) -> pd.DataFrame:
         """What one fresh process finds: a line for each repetition of each row and control, with the columns row,
-        ns, before and after. A row that fails has fewer lines or none."""
+        ns, before, after and cycle. A row that fails has fewer lines or none, and of a process that ends early what it
+        wrote counts."""
         with tempfile.TemporaryDirectory() as work:
             known, samples = Path(work, "facts.json"), Path(work, "samples.csv")
             known.write_text(json.dumps(facts), encoding="utf-8")
@@ -57,6 +58,8 @@ class Benchmarks:
 def _times(table: pd.DataFrame, rows: Json) -> pd.DataFrame:
     """Processor time where one thread works, as being interrupted does not count; the clock on the wall where
     several do."""
+    table = table.dropna()  # the last line of a process that ended early may be cut
+    table = table[table["row"].map(row_of).isin(rows)]
     threads = table["row"].map(lambda name: rows[row_of(name)]["threads"])
     ns = table["cpu_ns"].where(threads == 1, table["wall_ns"])
     return pd.DataFrame({"row": table["row"], "ns": ns, "before": table["probe_before_ns"],

@@ -265,13 +265,14 @@ def test_failures_of_the_program_are_reported_with_its_status(benchmarks: Benchm
     assert found.value.status == 1
 
 
-def test_what_a_failing_process_measured_counts(benchmarks: Benchmarks) -> None:
+def test_whole_lines_of_a_failing_process_count(benchmarks: Benchmarks) -> None:
+    lines = len(benchmarks.measure(FACTS))
     program = benchmarks.program
     whole = program.with_name("whole")
     program.rename(whole)
-    program.write_text(f'#!/bin/sh\n"{whole}" "$@"\nexit 1\n')
+    program.write_text(f'#!/bin/sh\n"{whole}" "$@"\ntruncate -s -12 "$4"\nexit 1\n')
     program.chmod(0o755)
-    assert len(benchmarks.measure(FACTS)) > 0
+    assert len(benchmarks.measure(FACTS)) == lines - 1 > 0
 
 
 def test_every_column_is_documented() -> None:
