@@ -10,7 +10,7 @@ one of them was quiet, as a multiple of that one.
     time of a row     = 10 % quantile of (repetition / mean of its probes), times the probe of the run
     speed-up of a row = time of the reference / time of the row
 
-Intervals are by bootstrap over processes, the same processes for all rows. docs/measuring.md has the figures.
+Intervals are by bootstrap over processes, the same processes for all rows. docs/experiments.md has the figures.
 """
 
 from __future__ import annotations

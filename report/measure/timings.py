@@ -1,4 +1,4 @@
-"""timings.csv: one tidy row for each measured row, whatever measured it. docs/measuring.md
+"""timings.csv: one tidy row for each measured row, whatever measured it. results/README.md
 describes every column."""
 
 from __future__ import annotations

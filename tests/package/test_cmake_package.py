@@ -74,6 +74,18 @@ def test_pkg_config_static(prefix, tmp_path):
     assert run(tmp_path / "example").strip() == OUTPUT
 
 
+@pytest.mark.parametrize("static", [False, True])
+def test_programs_with_debug_containers_do_not_link(prefix, tmp_path, static):
+    write_example(tmp_path, "")
+    flags, _ = library_flags(prefix, *["--static"] * static)
+    if static:
+        flags[flags.index("-lthinbench")] = "-l:libthinbench.a"
+    done = subprocess.run(["g++", "-std=c++20", "-D_GLIBCXX_DEBUG", "example.cpp", "-o", "example", *flags],
+                          cwd=tmp_path, text=True, capture_output=True, check=False)
+    assert done.returncode != 0
+    assert "undefined reference to `thinbench::detail::kLibraryHasDebugContainers'" in done.stderr
+
+
 C_FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 

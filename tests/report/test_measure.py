@@ -281,6 +281,6 @@ def test_whole_lines_of_a_failing_process_count(benchmarks: Benchmarks) -> None:
 
 
 def test_every_column_is_documented() -> None:
-    text = (ROOT / "docs" / "measuring.md").read_text()
+    text = (ROOT / "results" / "README.md").read_text()
     assert [field.name for field in fields(Row) if f"`{field.name}`" not in text] == []
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/containers.hpp"
 #include "thinbench/enumeration.hpp"
 #include "thinbench/isa.hpp"
 
