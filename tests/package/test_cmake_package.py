@@ -126,7 +126,8 @@ def test_opencv_example_of_the_documentation(prefix, tmp_path):
 def test_add_subdirectory(build, tmp_path):
     """Without options: a subproject builds the library alone and forces nothing on its parent."""
     (tmp_path / "thinbench").symlink_to(ROOT)
-    write_example(tmp_path, readme_block("cmake", "add_subdirectory") +
+    example = readme_block("cmake", "find_package").splitlines()
+    write_example(tmp_path, "\n".join(["add_subdirectory(thinbench)", *example[1:]]) +
                   "\nget_property(tests DIRECTORY thinbench PROPERTY BUILDSYSTEM_TARGETS)\n"
                   "message(STATUS \"type '${CMAKE_BUILD_TYPE}' standard '${CMAKE_CXX_STANDARD}' "
                   "targets '${tests}'\")\n")

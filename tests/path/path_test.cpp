@@ -1,14 +1,18 @@
 #include "thinbench/path.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "thinbench/distance.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -46,43 +50,161 @@ TEST(FindPath, of_a_wide_robot_leads_through_the_wide_door) {
   EXPECT_EQ(crosses_at(3), 5);
 }
 
-TEST(FindPath, is_connected_has_the_room_and_the_length_that_it_says) {
-  std::mt19937 random(1);
-  int found = 0;
-  for (int i = 0; i < 300; ++i) {
-    ByteImage map(40, 30);
-    for (Index y = 0; y < 30; ++y) {
-      for (Index x = 0; x < 40; ++x) map.at(x, y) = random() % 16 == 0 ? 0 : 255;
-    }
-    map.at(0, 0) = map.at(39, 29) = 255;
-    const double width = i % 4;
-    try {
-      const auto path_or_none = find_path(map.view(), {{0, 0}, {39, 29}, width});
-      if (!path_or_none) continue;
-      const FoundPath& path = *path_or_none;
-      std::vector<double> rooms(40 * 30);
-      distances(map.view(), {rooms.data(), 40, 30});
-      double length = 0;
-      double narrowest = std::numeric_limits<double>::infinity();
-      for (std::size_t p = 0; p < path.pixels.size(); ++p) {
-        const auto [x, y] = path.pixels[p];
-        const double room = 2 * rooms[static_cast<std::size_t>(y * 40 + x)];
-        ASSERT_GE(room, std::max(width, 2.0));
-        narrowest = std::min(narrowest, room);
-        if (p == 0) continue;
-        const int across = std::abs(x - path.pixels[p - 1].x);
-        const int down = std::abs(y - path.pixels[p - 1].y);
-        ASSERT_TRUE(std::max(across, down) == 1);
-        length += std::hypot(across, down);
+/// Of an obstacle's centre from a step between centres of pixels.
+double distance_to_step(Pixel obstacle, Pixel from, Pixel to) {
+  const double x = to.x - from.x, y = to.y - from.y;
+  const double along = (obstacle.x - from.x) * x + (obstacle.y - from.y) * y;
+  const double part = along == 0 ? 0 : std::clamp(along / (x * x + y * y), 0.0, 1.0);
+  return std::hypot(obstacle.x - from.x - part * x, obstacle.y - from.y - part * y);
+}
+
+/// Paths by definition: every step is measured against every obstacle.
+class PathsByDefinition {
+ public:
+  PathsByDefinition(const ByteImage& map, double width)
+      : map_(map), width_(width), skeleton_(map.width(), map.height()) {
+    thin(Rule::guo_hall, map.view(), skeleton_.view());
+    std::vector<double> of_free(static_cast<std::size_t>(map.width() * map.height()));
+    const View<double> distances_of_free(of_free.data(), map.width(), map.height());
+    distances(map.view(), distances_of_free);
+    prune(skeleton_.view(), skeleton_.view(), {.min_widths = 1, .distances = distances_of_free});
+    for (std::int32_t y = 0; y < map.height(); ++y) {
+      for (std::int32_t x = 0; x < map.width(); ++x) {
+        (is_free({x, y}) ? free_ : obstacles_).push_back({x, y});
       }
-      ASSERT_NEAR(path.length, length, 1e-9);
-      ASSERT_EQ(path.min_width, narrowest);
-      ++found;
-    } catch (const std::invalid_argument& error) {
-      ASSERT_GT(width, 2) << error.what();
     }
   }
-  EXPECT_GT(found, 100);
+
+  [[nodiscard]] const std::vector<Pixel>& free() const { return free_; }
+
+  [[nodiscard]] double clearance(Pixel from, Pixel to) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Pixel obstacle : obstacles_) {
+      least = std::min(least, distance_to_step(obstacle, from, to));
+    }
+    return least;
+  }
+
+  /// Infinite where there is no such step.
+  [[nodiscard]] double cost(Pixel from, Pixel to) const {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const bool is_step = length > 0 && length < 2 && is_free(from) && is_free(to);
+    const bool slips = !is_free({to.x, from.y}) && !is_free({from.x, to.y});
+    if (!is_step || slips || 2 * clearance(from, to) < width_ - 1e-9) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const bool on_skeleton = skeleton_.at(from.x, from.y) != 0 && skeleton_.at(to.x, to.y) != 0;
+    return length * (on_skeleton ? 1 : kPathOffSkeletonCost);
+  }
+
+  /// By Bellman and Ford.
+  [[nodiscard]] double least_cost(Pixel start, Pixel goal) const {
+    std::vector<double> costs(free_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] == start) costs[i] = 0;
+    }
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t from = 0; from < free_.size(); ++from) {
+        for (std::size_t to = 0; to < free_.size(); ++to) {
+          const double reached = costs[from] + cost(free_[from], free_[to]);
+          if (reached >= costs[to] - 1e-9) continue;
+          costs[to] = reached;
+          is_changed = true;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] == goal) return costs[i];
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  [[nodiscard]] bool is_free(Pixel p) const { return map_.at(p.x, p.y) != 0; }
+
+  const ByteImage& map_;
+  double width_;
+  ByteImage skeleton_;
+  std::vector<Pixel> free_, obstacles_;
+};
+
+/// Whether the path has steps alone, and the length and room that it says; gives its cost.
+double checked_cost(const FoundPath& path, const PathsByDefinition& paths) {
+  double cost = 0, length = 0;
+  double least = paths.clearance(path.pixels.front(), path.pixels.front());
+  for (std::size_t i = 1; i < path.pixels.size(); ++i) {
+    const Pixel from = path.pixels[i - 1], to = path.pixels[i];
+    cost += paths.cost(from, to);
+    length += std::hypot(to.x - from.x, to.y - from.y);
+    least = std::min(least, paths.clearance(from, to));
+  }
+  EXPECT_NEAR(path.length, length, 1e-9);
+  if (std::isinf(least)) {
+    EXPECT_EQ(path.min_width, least);
+  } else {
+    EXPECT_NEAR(path.min_width, 2 * least, 1e-9);
+  }
+  return cost;
+}
+
+/// Places without room are expected to be rejected.
+void expect_least_cost(const ByteImage& map, Pixel start, Pixel goal, double width) {
+  const PathsByDefinition paths(map, width);
+  const double room = 2 * std::min(paths.clearance(start, start), paths.clearance(goal, goal));
+  if (room < width) {
+    EXPECT_THROW(static_cast<void>(find_path(map.view(), {start, goal, width})),
+                 std::invalid_argument);
+    return;
+  }
+  const auto path = find_path(map.view(), {start, goal, width});
+  const double expected = paths.least_cost(start, goal);
+  ASSERT_EQ(path.has_value(), std::isfinite(expected));
+  if (path) EXPECT_NEAR(checked_cost(*path, paths), expected, 1e-6);
+}
+
+TEST(FindPath, has_the_least_cost_in_all_maps_of_4_x_4) {
+  ByteImage map(4, 4);
+  for (int number = 1; number < 1 << 16; ++number) {
+    Pixel first = {-1, -1}, last = {};
+    for (std::int32_t i = 0; i < 16; ++i) {
+      const bool is_free = (number >> i & 1) != 0;
+      map.at(i % 4, i / 4) = is_free ? 255 : 0;
+      if (!is_free) continue;
+      last = {i % 4, i / 4};
+      if (first.x < 0) first = last;
+    }
+    const std::array<double, 3> widths = {0, 1.9, 2.5};
+    expect_least_cost(map, first, last, widths[static_cast<std::size_t>(number % 3)]);
+    ASSERT_FALSE(HasFailure()) << "map " << number;
+  }
+}
+
+TEST(FindPath, has_the_least_cost_in_random_maps) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 150; ++i) {
+    ByteImage map(14, 11);
+    const unsigned parts = 3 + static_cast<unsigned>(i) % 20;
+    for (Index y = 0; y < 11; ++y) {
+      for (Index x = 0; x < 14; ++x) map.at(x, y) = random() % parts == 0 ? 0 : 255;
+    }
+    map.at(0, 0) = map.at(13, 10) = 255;
+    expect_least_cost(map, {0, 0}, {13, 10}, 0.5 * (i % 12));
+    ASSERT_FALSE(HasFailure()) << "map " << i;
+  }
+}
+
+TEST(FindPath, does_not_slip_between_obstacles_that_touch_at_corners) {
+  const ByteImage corners = image_of({"#.", ".#"});
+  EXPECT_FALSE(find_path(corners.view(), {{0, 0}, {1, 1}}));
+}
+
+TEST(FindPath, of_a_diagonal_step_has_the_room_in_its_middle) {
+  const ByteImage corner = image_of({"###",  //
+                                     "##.",  //
+                                     "###"});
+  EXPECT_DOUBLE_EQ(find_path(corner.view(), {{1, 1}, {2, 0}}).value().min_width, std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(find_path(corner.view(), {{1, 1}, {2, 0}, 2}).value().length, 2);
 }
 
 TEST(FindPath, is_nothing_where_there_is_none) {

@@ -20,7 +20,7 @@ struct PathRequest {
 struct FoundPath {
   std::vector<Pixel> pixels;  // from start to goal, each one of the eight neighbours of the last
   double length;              // steps along rows and columns count 1, diagonal ones sqrt(2)
-  double min_width;           // twice the smallest distance to an obstacle; infinite without one
+  double min_width;  // twice the smallest distance from steps to obstacles; infinite without one
 };
 
 /// Cost per unit of length off the skeleton; on the skeleton it is 1.
@@ -30,9 +30,10 @@ inline constexpr double kPathOffSkeletonCost = 4;
 /// pixels of the skeleton costs its length, any other step kPathOffSkeletonCost times its length;
 /// so from a pixel of the skeleton to another no path along the skeleton is shorter. The skeleton
 /// is that of Rule::guo_hall without branches shorter than the free space is wide at their
-/// junction. All pixels of the path are at least width / 2 from obstacles, centre to centre; what
-/// is outside the image is no obstacle. There is a path wherever such pixels lead from start to
-/// goal; else nothing is returned.
+/// junction. All points of the path, which are on straight lines between centres of pixels, are at
+/// least width / 2 from centres of obstacles, and no step leads between two obstacles that touch at
+/// a corner. What is outside the image is no obstacle. There is a path wherever such steps lead
+/// from start to goal; else nothing is returned.
 ///
 /// Takes 24 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
 /// goal that is outside, on an obstacle or too near to one, for a width that is negative or no
