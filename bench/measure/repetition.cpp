@@ -29,9 +29,12 @@ detail::AlignedArray<std::uint8_t> random_gap() {
   return detail::make_aligned<std::uint8_t>(detail::kAlignment * (1 + dice() % kLines));
 }
 
-void check(const Measured& measured, const TimedCall& call) {
+/// Once for each process: of large images, comparing takes longer than computing.
+void check(Measured& measured, const TimedCall& call) {
+  if (measured.is_checked) return;
   const std::string hash = hash_of(call.outcome());
-  if (hash == measured.known.hash) return;
+  measured.is_checked = hash == measured.known.hash;
+  if (measured.is_checked) return;
   throw std::runtime_error("it gave another result (" + hash + ") than was verified (" +
                            measured.known.hash + ")");
 }
@@ -67,7 +70,7 @@ Workspace& Workspaces::of(const ConstImageView& input) {
   return *found;
 }
 
-void repeat(benchmark::State& state, const Measured& measured, Workspaces& workspaces) {
+void repeat(benchmark::State& state, Measured& measured, Workspaces& workspaces) {
   try {
     const Workspace& workspace = workspaces.of(measured.known.row.view());
     const auto gap = random_gap();

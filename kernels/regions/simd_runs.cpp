@@ -259,12 +259,13 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   return y;
 }
 
-/// Wider images do not fit 32-bit accumulators even for one row.
+/// Rows of narrower images have too few runs for lanes; wider ones do not fit 32-bit accumulators.
+constexpr Index kMinWidth = 129;
 constexpr Index kMaxWidth = 65534;
 
 template <bool with_background>
 Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLabelling& labelling) {
-  if (image.width > kMaxWidth) {
+  if (image.width < kMinWidth || image.width > kMaxWidth) {
     return label_rows_singly<with_background>(image, first, last, labelling);
   }
   const Index max_rows = max_rows_per_flush(image.width);
