@@ -160,7 +160,9 @@ void expect_least_cost(const ByteImage& map, Pixel start, Pixel goal, double wid
   const auto path = find_path(map.view(), {start, goal, width});
   const double expected = paths.least_cost(start, goal);
   ASSERT_EQ(path.has_value(), std::isfinite(expected));
-  if (path) EXPECT_NEAR(checked_cost(*path, paths), expected, 1e-6);
+  if (path) {
+    EXPECT_NEAR(checked_cost(*path, paths), expected, 1e-6);
+  }
 }
 
 TEST(FindPath, has_the_least_cost_in_all_maps_of_4_x_4) {
