@@ -1,8 +1,8 @@
 /* Faults that no limit of the system makes, for programs that are started with LD_PRELOAD. FAULT
    names one: "clock" (the time of day jumps by years), "proc" (nothing below /proc can be opened),
    "threads" (none can be started), "kill" (SIGKILL before a file is renamed), "interrupt" (SIGINT
-   in the middle of a copy) or "read" (the first large read() makes the file "reading" and waits until
-   that is removed). Without it, nothing changes. */
+   in the middle of a copy) or "read" (the first large read() makes the file "reading" and waits
+   until that is removed). Without it, nothing changes. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
