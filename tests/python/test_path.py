@@ -149,7 +149,7 @@ def test_a_map_without_obstacles_and_a_path_of_one_pixel():
 LEVELS = np.full((41, 101), 0, np.uint8)
 LEVELS[10:31, 5:96] = 254
 LEVELS[10:26, 45:56] = 205
-YAML = "image: map.pgm\nresolution: 0.05\norigin: [3, -2, 2.5]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+YAML = "image: map.png\nresolution: 0.05\norigin: [3, -2, 2.5]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
 ENDS = ["--start", "20,20", "--goal", "80,20"]
 
 
@@ -157,7 +157,7 @@ ENDS = ["--start", "20,20", "--goal", "80,20"]
 def saved(tmp_path, monkeypatch):
     """Writes the map and a description of it into the working directory."""
     monkeypatch.chdir(tmp_path)
-    cv2.imwrite("map.pgm", LEVELS)
+    cv2.imwrite("map.png", LEVELS)
     (tmp_path / "map.yaml").write_text(YAML)
 
 
@@ -174,7 +174,7 @@ def metres(pixels):
     return np.stack([places.real, places.imag], axis=1)
 
 
-@pytest.mark.parametrize("name", ["map.yaml", "map.pgm"])
+@pytest.mark.parametrize("name", ["map.yaml", "map.png"])
 def test_unknown_pixels_of_an_occupancy_map_are_obstacles_or_free(saved, name):
     found, said = found_by(name, *ENDS)
     expected = thinbench.find_path(LEVELS == 254, (20, 20), (20, 80))
@@ -190,10 +190,10 @@ def test_unknown_pixels_of_an_occupancy_map_are_obstacles_or_free(saved, name):
 
 def test_options_for_pictures_make_an_occupancy_map_a_picture(saved):
     for options in (["--threshold", "100"], ["--foreground", "bright"], ["--channel", "grey"], ["--blur", "0"]):
-        found, said = found_by("map.pgm", *ENDS, *options)
+        found, said = found_by("map.png", *ENDS, *options)
         assert found["pixels"] == [[x, 20] for x in range(20, 81)] and "occupancy" not in said
-        assert_rejected(f"map.pgm: --unknown is for occupancy maps; with {options[0]} the image is a picture\n",
-                        "path", "map.pgm", *ENDS, *options, "--unknown", "free", status=(1,))
+        assert_rejected(f"map.png: --unknown is for occupancy maps; with {options[0]} the image is a picture\n",
+                        "path", "map.png", *ENDS, *options, "--unknown", "free", status=(1,))
         assert_rejected(f"{options[0]} is for pictures", "path", "map.yaml", *ENDS, *options, status=(2,))
 
 
@@ -214,8 +214,8 @@ def test_metres_are_in_the_frame_of_the_map(saved):
 def test_width_in_metres_that_just_fits(saved, tmp_path, width, fits):
     levels = np.full((20, 30), 254, np.uint8)
     levels[[2, 16]] = 0
-    cv2.imwrite("map.pgm", levels)
-    (tmp_path / "map.yaml").write_text("image: map.pgm\nresolution: 0.02\norigin: [0, 0, 0]\n")
+    cv2.imwrite("map.png", levels)
+    (tmp_path / "map.yaml").write_text("image: map.png\nresolution: 0.02\norigin: [0, 0, 0]\n")
     made = run_text("path", "map.yaml", "--unit", "m", "--start", "0.11,0.21", "--goal", "0.51,0.21", "--width", width)
     assert made.returncode == (0 if fits else 1) and ("length 0.40 m, min width 0.28 m" in made.stdout) == fits
 
@@ -227,13 +227,13 @@ def snapped(*words):
 
 
 def test_snap_moves_to_the_nearest_room(saved):
-    words = ["map.pgm", "--start", "50,12", "--goal", "80,20"]  # from where columns 44 and 56 are 6 away
-    assert_rejected("thinbench: map.pgm: start 50,12 is an obstacle; the nearest pixel with room is 44,12, 6 pixels "
+    words = ["map.png", "--start", "50,12", "--goal", "80,20"]  # from where columns 44 and 56 are 6 away
+    assert_rejected("thinbench: map.png: start 50,12 is an obstacle; the nearest pixel with room is 44,12, 6 pixels "
                     "away; --snap moves it there; free space is occupancy < 0.196\n", "path", *words)
-    assert snapped(*words) == ([44, 12], "note: map.pgm: start 50,12 is moved to 44,12, 6 pixels away")
+    assert snapped(*words) == ([44, 12], "note: map.png: start 50,12 is moved to 44,12, 6 pixels away")
     assert snapped(*words, "--width", "6")[0] == [42, 12]
-    assert_rejected("map.pgm: goal 80,11 has room for a width of 4 pixels, not of 6 pixels; the nearest pixel with room "
-                    "is 80,12, 1 pixel away", "path", "map.pgm", "--start", "20,20", "--goal", "80,11", "--width", "6")
+    assert_rejected("map.png: goal 80,11 has room for a width of 4 pixels, not of 6 pixels; the nearest pixel with "
+                    "room is 80,12, 1 pixel away", "path", "map.png", "--start", "20,20", "--goal", "80,11", "--width", "6")
     assert_rejected("start 50,12 is an obstacle; no free pixel has room for a width of 23 pixels", "path", *words,
                     "--width", "23", "--snap")
     levels = np.full((5, 5), 255, np.uint8)
@@ -254,17 +254,19 @@ def test_snap_speaks_of_metres(saved):
 
 
 @pytest.mark.parametrize("words, status, said", [
-    ("map.pgm --unit m", 2, "--unit m: expected a map description, .yaml or .yml, got 'map.pgm'"),
+    ("map.png --unit m", 2, "--unit m: expected a map description, .yaml or .yml, got 'map.png'"),
     ("map.yaml --crop 0,0,9x9", 2, "--crop is for pictures, and 'map.yaml' describes an occupancy map"),
-    ("map.yaml --overlay map.pgm", 2, ""),
+    ("map.yaml --overlay map.png", 2, "'map.png' is read or written as another file"),
     ("map.yaml --unit m --start 1,2,3", 2, "--start: expected X,Y in metres such as 1.5,-2, got '1,2,3'"),
     ("map.yaml --unit m --goal -300,0.5", 1, "goal -300,0.5 is outside the map of 101 x 41 pixels"),
     ("plan.png --unknown free", 1, "--unknown is for occupancy maps; the grey levels of this image are not 0, 205"),
+    ("long.png --snap", 1, "map: expected sides of at most 32767, got 32768 x 30; free space is "),
     ("none.yaml", 1, "cannot read 'none.yaml': there is no such file"),
     ("lost.yaml", 1, "cannot read 'none.pgm': there is no such file"),
     ("bad.yaml", 1, "cannot read 'bad.yaml': resolution: expected metres per pixel, a number above 0, got '0'")])
 def test_what_cannot_be_of_an_occupancy_map_is_one_line(saved, plan, tmp_path, words, status, said):
-    (tmp_path / "lost.yaml").write_text(YAML.replace("map.pgm", "none.pgm"))
+    cv2.imwrite("long.png", np.full((30, 32768), 9, np.uint8))
+    (tmp_path / "lost.yaml").write_text(YAML.replace("map.png", "none.pgm"))
     (tmp_path / "bad.yaml").write_text(YAML.replace("0.05", "0"))
     words = words.split()
     for name in {"--start", "--goal"} - set(words):

@@ -72,6 +72,7 @@ std::optional<FoundPath> path_between(Ends& ends, const PathMap& map, const Path
                                       std::ostream& remarks) {
   const auto give_room_to_both = [&] {
     const ConstImageView free = map.free.view();
+    if (std::max(free.width, free.height) > kMaxDistanceSide) return;  // find_path rejects it
     std::vector<double> numbers(static_cast<std::size_t>(free.width * free.height));
     const View<double> view(numbers.data(), free.width, free.height);
     distances(free, view, {}, options.execution);
@@ -90,7 +91,7 @@ std::optional<FoundPath> path_between(Ends& ends, const PathMap& map, const Path
 FoundPath path_through(const PathMap& map, Ends ends, const PathOptions& options,
                        std::ostream& remarks) {
   try {
-    for (PathEnd& end : ends) place(end, map);
+    for (PathEnd& end : ends) place_in_map(end, map);
     if (auto path = path_between(ends, map, options, remarks)) return *path;
     throw std::invalid_argument(fmt::format("no path from {} to {} is {} wide", ends[0].text,
                                             ends[1].text, map.text(map.pixels(options.width))));
@@ -100,7 +101,7 @@ FoundPath path_through(const PathMap& map, Ends ends, const PathOptions& options
 }
 
 int run(const PathOptions& options, const Console& console) {
-  const auto description = described_by(options);
+  const auto description = description_of(options);
   const Ends ends = {path_end("--start", options.start, options.in_metres()),
                      path_end("--goal", options.goal, options.in_metres())};
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);

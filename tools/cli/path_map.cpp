@@ -85,7 +85,7 @@ std::string PathMap::text(double pixels) const {
   return number + (metres ? " m" : number == "1" ? " pixel" : " pixels");
 }
 
-std::optional<MapDescription> described_by(const PathMapOptions& options) {
+std::optional<MapDescription> description_of(const PathMapOptions& options) {
   if (!is_map_description(options.in)) {
     if (!options.in_metres()) return std::nullopt;
     throw UsageError("--unit m: expected a map description, .yaml or .yml, got '" + options.in +
@@ -124,7 +124,7 @@ PathEnd path_end(const char* option, const std::string& text, bool in_metres) {
       fmt::format("{}: expected X,Y in metres such as 1.5,-2, got '{}'", option, text));
 }
 
-void place(PathEnd& end, const PathMap& map) {
+void place_in_map(PathEnd& end, const PathMap& map) {
   end.pixel = map.pixel(end.point);
   const auto [x, y] = end.pixel;
   if (x >= 0 && x < map.free.width() && y >= 0 && y < map.free.height()) return;

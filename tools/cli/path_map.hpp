@@ -43,7 +43,7 @@ struct PathMap {
 
 /// Nothing where the file is no description. Throws UsageError for options that do not go with it
 /// and FileError.
-[[nodiscard]] std::optional<MapDescription> described_by(const PathMapOptions& options);
+[[nodiscard]] std::optional<MapDescription> description_of(const PathMapOptions& options);
 
 /// The map, with remarks, a line each. Throws FileError.
 [[nodiscard]] PathMap read_path_map(const PathMapOptions& options,
@@ -62,7 +62,7 @@ struct PathEnd {
 [[nodiscard]] PathEnd path_end(const char* option, const std::string& text, bool in_metres);
 
 /// Sets the pixel of the end. Throws std::invalid_argument where it is outside the map.
-void place(PathEnd& end, const PathMap& map);
+void place_in_map(PathEnd& end, const PathMap& map);
 
 /// Moves an end without room for the robot to the nearest pixel with room, with a remark, or throws
 /// std::invalid_argument, which names that. `distances` are those of map.free.
