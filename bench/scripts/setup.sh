@@ -1,8 +1,8 @@
 # Sourced by ./study and ./check: what they need before they build. Needs `root`, the project's root.
 
 packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev libopencv-dev
-  libleptonica-dev libjpeg-dev libpng-dev libtiff-dev libcli11-dev libfmt-dev nlohmann-json3-dev libjs-chart.js
-  valgrind parallel python3 python3-numpy python3-pandas python3-scipy python3-matplotlib python3-jinja2
+  libleptonica-dev libjpeg-dev libpng-dev libtiff-dev libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libjs-chart.js valgrind parallel python3 python3-numpy python3-pandas python3-scipy python3-matplotlib python3-jinja2
   python3-jsonschema python3-junitparser)
 # Machine code is written for x86-64 alone.
 [ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev)

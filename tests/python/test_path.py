@@ -139,7 +139,7 @@ def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):
 
 @pytest.mark.parametrize("words, said", [
     (["--start", "640,5", "--goal", "590,80"],
-     "start: row 5, column 640 is outside the map of 640 x 480 pixels; free space is "),
+     "start 640,5 is outside the map of 640 x 480 pixels; free space is "),
     (["--start", "40", "--goal", "590,80"], "--start: expected X,Y such as 120,45, got '40'"),
     (["--start", "-1,5", "--goal", "590,80"], "--start"),
     (["--start", "4,5", "--goal", "99999999999,80"], "--goal: expected X,Y"),
@@ -153,3 +153,138 @@ def test_what_cannot_be_is_one_line(plan, words, said):
 def test_a_map_without_obstacles_and_a_path_of_one_pixel():
     assert len(thinbench.find_path(np.ones((9, 9), bool), (0, 0), (8, 8), 1000)) >= 9
     assert thinbench.find_path(np.ones((9, 9), bool), (4, 4), (4, 4)).tolist() == [[4, 4]]
+
+
+# A corridor of 21 rows and a way around an unknown block in it.
+LEVELS = np.full((41, 101), 0, np.uint8)
+LEVELS[10:31, 5:96] = 254
+LEVELS[10:26, 45:56] = 205
+YAML = "image: map.png\nresolution: 0.05\norigin: [3, -2, 2.5]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+ENDS = ["--start", "20,20", "--goal", "80,20"]
+
+
+@pytest.fixture
+def saved(tmp_path, monkeypatch):
+    """Writes the map and a description of it into the working directory."""
+    monkeypatch.chdir(tmp_path)
+    cv2.imwrite("map.png", LEVELS)
+    (tmp_path / "map.yaml").write_text(YAML)
+
+
+def found_by(*words):
+    made = run_text("path", *words, "--json")
+    assert made.returncode == 0, made.stderr
+    return json.loads(made.stdout), made.stderr
+
+
+def metres(pixels):
+    """Centres of pixels, by complex numbers."""
+    x, y = np.array(pixels).T
+    places = 3 - 2j + 0.05 * (x + 0.5 + 1j * (LEVELS.shape[0] - y - 0.5)) * np.exp(2.5j)
+    return np.stack([places.real, places.imag], axis=1)
+
+
+@pytest.mark.parametrize("name", ["map.yaml", "map.png"])
+def test_unknown_pixels_of_an_occupancy_map_are_obstacles_or_free(saved, name):
+    found, said = found_by(name, *ENDS)
+    expected = thinbench.find_path(LEVELS == 254, (20, 20), (20, 80))
+    np.testing.assert_array_equal(np.array(found["pixels"])[:, ::-1], expected)
+    assert expected[:, 0].max() >= 27 and found["unit"] == "pixel"
+    assert said == (f"note: {name}: occupancy map; unknown counts as obstacle (176 pixels); "
+                    "--unknown free overrides this\n")
+    assert found_by(name, *ENDS, "--unknown", "obstacle") == (found, "")
+    found, said = found_by(name, *ENDS, "--unknown", "free")
+    assert found["pixels"] == [[x, 20] for x in range(20, 81)] and said == ""
+    assert (found["length"], found["min_width"]) == (60, 22)
+
+
+def test_options_for_pictures_make_an_occupancy_map_a_picture(saved):
+    for options in (["--threshold", "100"], ["--foreground", "bright"], ["--channel", "grey"], ["--blur", "0"]):
+        found, said = found_by("map.png", *ENDS, *options)
+        assert found["pixels"] == [[x, 20] for x in range(20, 81)] and "occupancy" not in said
+        assert_rejected(f"map.png: --unknown is for occupancy maps; with {options[0]} the image is a picture\n",
+                        "path", "map.png", *ENDS, *options, "--unknown", "free", status=(1,))
+        assert_rejected(f"{options[0]} is for pictures", "path", "map.yaml", *ENDS, *options, status=(2,))
+
+
+def test_metres_are_in_the_frame_of_the_map(saved):
+    start, goal = (f"{x!r},{y!r}" for x, y in metres([(20, 20), (80, 20)]).tolist())
+    words = ["map.yaml", "--unit", "m", "--start", start, "--goal", goal, "--width", "0.3"]
+    found, _ = found_by(*words)
+    pixels = found_by("map.yaml", *ENDS, "--width", "6")[0]
+    np.testing.assert_allclose(found["pixels"], metres(pixels["pixels"]), atol=1e-12)
+    assert (found["unit"], found["robot_width"], found["width"]) == ("m", 0.3, 101)
+    for key in ("length", "min_width"):
+        assert found[key] == pytest.approx(0.05 * pixels[key])
+    assert run_text("path", *words).stdout == (f"path: {len(pixels['pixels'])} pixels, length {found['length']:.2f} m, "
+                                               f"min width {found['min_width']:.2f} m\n")
+
+
+@pytest.mark.parametrize("width, fits", [("0.28", True), ("0.29", False)])  # 0.28 / 0.02 is more than 14
+def test_width_in_metres_that_just_fits(saved, tmp_path, width, fits):
+    levels = np.full((20, 30), 254, np.uint8)
+    levels[[2, 16]] = 0
+    cv2.imwrite("map.png", levels)
+    (tmp_path / "map.yaml").write_text("image: map.png\nresolution: 0.02\norigin: [0, 0, 0]\n")
+    made = run_text("path", "map.yaml", "--unit", "m", "--start", "0.11,0.21", "--goal", "0.51,0.21", "--width", width)
+    assert made.returncode == (0 if fits else 1) and ("length 0.40 m, min width 0.28 m" in made.stdout) == fits
+
+
+def snapped(*words):
+    made = run_text("path", *words, "--snap", "--json")
+    assert made.returncode == 0, made.stderr
+    return json.loads(made.stdout)["pixels"][0], made.stderr.splitlines()[-1]
+
+
+def test_snap_moves_to_the_nearest_room(saved):
+    words = ["map.png", "--start", "50,12", "--goal", "80,20"]  # from where columns 44 and 56 are 6 away
+    assert_rejected("thinbench: map.png: start 50,12 is an obstacle; the nearest pixel with room is 44,12, 6 pixels "
+                    "away; --snap moves it there; free space is occupancy < 0.196\n", "path", *words)
+    assert snapped(*words) == ([44, 12], "note: map.png: start 50,12 is moved to 44,12, 6 pixels away")
+    assert snapped(*words, "--width", "6")[0] == [42, 12]
+    assert_rejected("map.png: goal 80,11 has room for a width of 4 pixels, not of 6 pixels; the nearest pixel with "
+                    "room is 80,12, 1 pixel away", "path", "map.png", "--start", "20,20", "--goal", "80,11", "--width", "6")
+    assert_rejected("start 50,12 is an obstacle; no free pixel has room for a width of 23 pixels", "path", *words,
+                    "--width", "23", "--snap")
+    levels = np.full((5, 5), 255, np.uint8)
+    levels[2, 2] = 0
+    cv2.imwrite("dot.png", levels)
+    assert snapped("dot.png", "--start", "2,2", "--goal", "4,4", "--foreground", "bright")[0] == [2, 1]
+
+
+def test_snap_speaks_of_metres(saved):
+    point = ["{:.9g},{:.9g}".format(*place) for place in metres([(50, 12), (44, 12), (80, 20), (40, 14)])]
+    words = ["map.yaml", "--unit", "m", "--start", point[0], "--goal", point[2]]
+    place, said = snapped(*words)
+    assert said == f"note: map.yaml: start {point[0]} is moved to {point[1]}, 0.3 m away"
+    np.testing.assert_allclose(place, metres([(44, 12)])[0])
+    assert_rejected("has room for a width of 1.1 m, not of 2 m; no free pixel has room for a width of 2 m", "path",
+                    "map.yaml", "--unit", "m", "--start", point[2], "--goal", point[2], "--width", "2")
+    assert_rejected(f"no path from {point[3]} to {point[2]} is 0.5 m wide", "path", *words, "--snap", "--width", "0.5")
+
+
+@pytest.mark.parametrize("words, status, said", [
+    ("map.png --unit m", 2, "--unit m: expected a map description, .yaml or .yml, got 'map.png'"),
+    ("map.yaml --crop 0,0,9x9", 2, "--crop is for pictures, and 'map.yaml' describes an occupancy map"),
+    ("map.yaml --overlay map.png", 2, "'map.png' is read or written as another file"),
+    ("map.yaml --unit m --start 1,2,3", 2, "--start: expected X,Y in metres such as 1.5,-2, got '1,2,3'"),
+    ("map.yaml --unit m --goal -300,0.5", 1, "goal -300,0.5 is outside the map of 101 x 41 pixels"),
+    ("plan.png --unknown free", 1, "--unknown is for occupancy maps; the grey levels of this image are not 0, 205"),
+    ("long.png --snap", 1, "map: expected sides of at most 32767, got 32768 x 30; free space is "),
+    ("none.yaml", 1, "cannot read 'none.yaml': there is no such file"),
+    ("lost.yaml", 1, "cannot read 'none.pgm': there is no such file"),
+    ("bad.yaml", 1, "cannot read 'bad.yaml': resolution: expected metres per pixel, a number above 0, got '0'")])
+def test_what_cannot_be_of_an_occupancy_map_is_one_line(saved, plan, tmp_path, words, status, said):
+    cv2.imwrite("long.png", np.full((30, 32768), 9, np.uint8))
+    (tmp_path / "lost.yaml").write_text(YAML.replace("map.png", "none.pgm"))
+    (tmp_path / "bad.yaml").write_text(YAML.replace("0.05", "0"))
+    words = words.split()
+    for name in {"--start", "--goal"} - set(words):
+        words += [name, "2,-2.5" if "m" in words else "20,20"]
+    assert_rejected(said, "path", *words, status=(status,))
+
+
+def test_levels_that_are_unknown_by_ros_and_free_by_the_thresholds_give_a_warning(saved, tmp_path):
+    (tmp_path / "map.yaml").write_text(YAML.replace("0.196", "0.25"))
+    found, said = found_by("map.yaml", *ENDS)
+    assert found["length"] == 60 and said.startswith("warning: map.yaml: grey level 205") and said.count("\n") == 1
