@@ -28,7 +28,7 @@ YAML::Node load(const std::string& path) {
 
 std::string shown(const YAML::Node& value) {
   if (!value || value.IsNull()) return "nothing";
-  if (value.IsScalar()) return "'" + value.Scalar().substr(0, 60) + "'";
+  if (value.IsScalar()) return fmt::format("'{}'", value.Scalar().substr(0, 60));
   return value.IsMap() ? "keys" : "a list of " + counted(value.size(), "value");
 }
 
