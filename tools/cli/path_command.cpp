@@ -101,7 +101,7 @@ FoundPath path_through(const PathMap& map, Ends ends, const PathOptions& options
 }
 
 int run(const PathOptions& options, const Console& console) {
-  const auto description = description_of(options);
+  const auto description = read_description(options);
   const Ends ends = {path_end("--start", options.start, options.in_metres()),
                      path_end("--goal", options.goal, options.in_metres())};
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);

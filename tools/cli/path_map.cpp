@@ -85,7 +85,7 @@ std::string PathMap::text(double pixels) const {
   return number + (metres ? " m" : number == "1" ? " pixel" : " pixels");
 }
 
-std::optional<MapDescription> description_of(const PathMapOptions& options) {
+std::optional<MapDescription> read_description(const PathMapOptions& options) {
   if (!is_map_description(options.in)) {
     if (!options.in_metres()) return std::nullopt;
     throw UsageError("--unit m: expected a map description, .yaml or .yml, got '" + options.in +

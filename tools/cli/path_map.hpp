@@ -43,7 +43,7 @@ struct PathMap {
 
 /// Nothing where the file is no description. Throws UsageError for options that do not go with it
 /// and FileError.
-[[nodiscard]] std::optional<MapDescription> description_of(const PathMapOptions& options);
+[[nodiscard]] std::optional<MapDescription> read_description(const PathMapOptions& options);
 
 /// The map, with remarks, a line each. Throws FileError.
 [[nodiscard]] PathMap read_path_map(const PathMapOptions& options,
