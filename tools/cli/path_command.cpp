@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/path_map.hpp"
 #include "cli/thinbench.hpp"
+#include "images/image_file.hpp"
 #include "images/overlay.hpp"
 #include "support/json_field.hpp"
 #include "support/text.hpp"
