@@ -29,7 +29,6 @@ struct KnownRow {
 
 /// Facts on what was verified, for a program that starts measuring processes and reads their
 /// samples: "sources", "inputs", "peers", "rows" by name, "skipped", "verified" and "mismatches".
-/// docs/measuring.md describes them.
 [[nodiscard]] nlohmann::ordered_json facts_json(const InputChoice& sources,
                                                 const std::vector<TimedInput>& inputs,
                                                 const Selection& selection,

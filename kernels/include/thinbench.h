@@ -738,7 +738,7 @@ typedef struct thinbench_found_path {
   size_t size;      /* of this struct */
   size_t count;     /* of pixels; 0 if there is no path */
   double length;    /* steps along rows and columns count 1, diagonal ones the square root of 2 */
-  double min_width; /* twice the smallest distance to an obstacle; infinite without one */
+  double min_width; /* twice the smallest distance from steps to obstacles; infinite without one */
 } thinbench_found_path;
 
 #define THINBENCH_FOUND_PATH_INIT \

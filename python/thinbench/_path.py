@@ -16,7 +16,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
               threads: int = 1) -> npt.NDArray[np.int32]:
     """Find a path for a robot that keeps away from obstacles.
 
-    The path of least cost: a step between two pixels of the skeleton of the free space costs its length, any
+    The path of lowest cost: a step between two pixels of the skeleton of the free space costs its length, any
     other step four times its length.
 
     Parameters

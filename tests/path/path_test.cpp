@@ -78,11 +78,11 @@ class PathsByDefinition {
   [[nodiscard]] const std::vector<Pixel>& free() const { return free_; }
 
   [[nodiscard]] double clearance(Pixel from, Pixel to) const {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const Pixel obstacle : obstacles_) {
-      least = std::min(least, distance_to_step(obstacle, from, to));
+      min = std::min(min, distance_to_step(obstacle, from, to));
     }
-    return least;
+    return min;
   }
 
   /// Infinite where there is no such step.
@@ -98,7 +98,7 @@ class PathsByDefinition {
   }
 
   /// By Bellman and Ford.
-  [[nodiscard]] double least_cost(Pixel start, Pixel goal) const {
+  [[nodiscard]] double lowest_cost(Pixel start, Pixel goal) const {
     std::vector<double> costs(free_.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (free_[i] == start) costs[i] = 0;
@@ -132,24 +132,24 @@ class PathsByDefinition {
 /// Whether the path has steps alone, and the length and room that it says; gives its cost.
 double checked_cost(const FoundPath& path, const PathsByDefinition& paths) {
   double cost = 0, length = 0;
-  double least = paths.clearance(path.pixels.front(), path.pixels.front());
+  double min = paths.clearance(path.pixels.front(), path.pixels.front());
   for (std::size_t i = 1; i < path.pixels.size(); ++i) {
     const Pixel from = path.pixels[i - 1], to = path.pixels[i];
     cost += paths.cost(from, to);
     length += std::hypot(to.x - from.x, to.y - from.y);
-    least = std::min(least, paths.clearance(from, to));
+    min = std::min(min, paths.clearance(from, to));
   }
   EXPECT_NEAR(path.length, length, 1e-9);
-  if (std::isinf(least)) {
-    EXPECT_EQ(path.min_width, least);
+  if (std::isinf(min)) {
+    EXPECT_EQ(path.min_width, min);
   } else {
-    EXPECT_NEAR(path.min_width, 2 * least, 1e-9);
+    EXPECT_NEAR(path.min_width, 2 * min, 1e-9);
   }
   return cost;
 }
 
 /// Places without room are expected to be rejected.
-void expect_least_cost(const ByteImage& map, Pixel start, Pixel goal, double width) {
+void expect_lowest_cost(const ByteImage& map, Pixel start, Pixel goal, double width) {
   const PathsByDefinition paths(map, width);
   const double room = 2 * std::min(paths.clearance(start, start), paths.clearance(goal, goal));
   if (room < width) {
@@ -158,14 +158,14 @@ void expect_least_cost(const ByteImage& map, Pixel start, Pixel goal, double wid
     return;
   }
   const auto path = find_path(map.view(), {start, goal, width});
-  const double expected = paths.least_cost(start, goal);
+  const double expected = paths.lowest_cost(start, goal);
   ASSERT_EQ(path.has_value(), std::isfinite(expected));
   if (path) {
     EXPECT_NEAR(checked_cost(*path, paths), expected, 1e-6);
   }
 }
 
-TEST(FindPath, has_the_least_cost_in_all_maps_of_4_x_4) {
+TEST(FindPath, has_the_lowest_cost_in_all_maps_of_4_x_4) {
   ByteImage map(4, 4);
   for (int number = 1; number < 1 << 16; ++number) {
     Pixel first = {-1, -1}, last = {};
@@ -177,12 +177,12 @@ TEST(FindPath, has_the_least_cost_in_all_maps_of_4_x_4) {
       if (first.x < 0) first = last;
     }
     const std::array<double, 3> widths = {0, 1.9, 2.5};
-    expect_least_cost(map, first, last, widths[static_cast<std::size_t>(number % 3)]);
+    expect_lowest_cost(map, first, last, widths[static_cast<std::size_t>(number % 3)]);
     ASSERT_FALSE(HasFailure()) << "map " << number;
   }
 }
 
-TEST(FindPath, has_the_least_cost_in_random_maps) {
+TEST(FindPath, has_the_lowest_cost_in_random_maps) {
   std::mt19937 random(1);
   for (int i = 0; i < 150; ++i) {
     ByteImage map(14, 11);
@@ -191,7 +191,7 @@ TEST(FindPath, has_the_least_cost_in_random_maps) {
       for (Index x = 0; x < 14; ++x) map.at(x, y) = random() % parts == 0 ? 0 : 255;
     }
     map.at(0, 0) = map.at(13, 10) = 255;
-    expect_least_cost(map, {0, 0}, {13, 10}, 0.5 * (i % 12));
+    expect_lowest_cost(map, {0, 0}, {13, 10}, 0.5 * (i % 12));
     ASSERT_FALSE(HasFailure()) << "map " << i;
   }
 }

@@ -61,7 +61,7 @@ def neighbours(pixel, free, width, rooms):
                 yield (y, x), np.sqrt(abs(y - row) + abs(x - column))
 
 
-def least_cost(free, width, skeleton, start, goal):
+def lowest_cost(free, width, skeleton, start, goal):
     """Dijkstra's algorithm over all pixels with room; infinite where there is no path."""
     rooms = room_at_halves(free)
     costs, queue = {start: 0.0}, [(0.0, start)]
@@ -94,7 +94,7 @@ def test_no_path_costs_less_and_there_is_one_wherever_steps_with_room_join_start
     random, places = np.random.RandomState(seed), np.argwhere(room)
     for _ in range(3 if len(places) > 1 else 0):
         start, goal = map(tuple, random.permutation(places)[:2])
-        cost = least_cost(free, width, skeleton, start, goal)
+        cost = lowest_cost(free, width, skeleton, start, goal)
         if np.isfinite(cost):
             found = thinbench.find_path(free, start, goal, width)
             assert_is_path(found, free, start, goal, width)

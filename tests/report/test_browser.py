@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 from conftest import all_rows, write_run
 from selenium import webdriver
-from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -41,11 +40,6 @@ def make_driver(*arguments: str) -> webdriver.Chrome:
                      "--hide-scrollbars", *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    for _ in range(2):  # a busy machine may start the browser too slowly
-        try:
-            return webdriver.Chrome(options=options)
-        except WebDriverException:
-            continue
     return webdriver.Chrome(options=options)
 
 

@@ -35,8 +35,10 @@ struct PathOptions : PathMapOptions {
 
 std::string path_json(const PathOptions& options, const PathMap& map, const FoundPath& path) {
   Json pixels = Json::array();
-  for (const Pixel p : path.pixels)
-    pixels.push_back({json_number(map.point(p).x), json_number(map.point(p).y)});
+  for (const Pixel p : path.pixels) {
+    const MapPoint point = map.point(p);
+    pixels.push_back({json_number(point.x), json_number(point.y)});
+  }
   const Json json = {{"file", options.in},
                      {"width", map.free.width()},
                      {"height", map.free.height()},
@@ -165,7 +167,7 @@ Command add_path_command(CLI::App& program) {
   thinbench path map.yaml --unit m --start -1.5,2 --goal 7,0.25 --width 0.5 --snap --overlay path.svg
   thinbench path plan.png --start 40,150 --goal 590,80 --foreground bright --json > path.json
 
-The path has the least cost: on the skeleton of the free space, midway between obstacles, a step costs
+The path has the lowest cost: on the skeleton of the free space, midway between obstacles, a step costs
 its length, elsewhere four times its length. Branches of the skeleton that are shorter than the free
 space is wide are removed first. All of the path is at least W / 2 from obstacles, between centres of
 pixels. What is outside the map is no obstacle. Sides are at most 32767 pixels.

@@ -43,6 +43,14 @@ double number(const YAML::Node& value, double otherwise = NAN) {
   return value ? value.as<double>(NAN) : otherwise;
 }
 
+std::array<Index, 256> histogram(const ConstImageView& levels) {
+  std::array<Index, 256> counts{};
+  for (Index y = 0; y < levels.height; ++y) {
+    for (Index x = 0; x < levels.width; ++x) ++counts[levels.row(y)[x]];
+  }
+  return counts;
+}
+
 }  // namespace
 
 bool is_map_description(const std::string& path) {
@@ -85,18 +93,6 @@ MapDescription read_map_description(const std::string& path) {
   return map;
 }
 
-namespace {
-
-std::array<Index, 256> histogram(const ConstImageView& levels) {
-  std::array<Index, 256> counts{};
-  for (Index y = 0; y < levels.height; ++y) {
-    for (Index x = 0; x < levels.width; ++x) ++counts[levels.row(y)[x]];
-  }
-  return counts;
-}
-
-}  // namespace
-
 bool is_occupancy_map(const GreyImage& image) {
   if (image.is_deep()) return false;
   const auto counts = histogram(image.bytes.view());
@@ -115,11 +111,12 @@ FreeSpace free_space(const ConstImageView& levels, const MapDescription& map,
     const bool is_unknown = !is_free && occupancy <= map.occupied_thresh;
     values[level] = is_free || (is_unknown && unknown_is_free) ? 255 : 0;
     space.unknown += is_unknown ? counts[level] : 0;
-    if (is_free && level == kUnknownLevel && counts[level] > 0)
+    if (is_free && level == kUnknownLevel && counts[level] > 0) {
       space.warning = fmt::format(
           "grey level 205, by which ROS marks what is unknown, is free; "
           "free_thresh is {:g}, and 0.196 makes it unknown",
           map.free_thresh);
+    }
   }
   for (Index y = 0; y < levels.height; ++y) {
     for (Index x = 0; x < levels.width; ++x) space.image.at(x, y) = values[levels.row(y)[x]];

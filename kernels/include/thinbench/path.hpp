@@ -26,10 +26,10 @@ struct FoundPath {
 /// Cost per unit of length off the skeleton; on the skeleton it is 1.
 inline constexpr double kPathOffSkeletonCost = 4;
 
-/// The path of least cost from start to goal, in a map whose foreground is free. A step between two
-/// pixels of the skeleton costs its length, any other step kPathOffSkeletonCost times its length;
-/// so from a pixel of the skeleton to another no path along the skeleton is shorter. The skeleton
-/// is that of Rule::guo_hall without branches shorter than the free space is wide at their
+/// The path of lowest cost from start to goal, in a map whose foreground is free. A step between
+/// two pixels of the skeleton costs its length, any other step kPathOffSkeletonCost times its
+/// length; so from a pixel of the skeleton to another no path along the skeleton is shorter. The
+/// skeleton is that of Rule::guo_hall without branches shorter than the free space is wide at their
 /// junction. All points of the path, which are on straight lines between centres of pixels, are at
 /// least width / 2 from centres of obstacles, and no step leads between two obstacles that touch at
 /// a corner. What is outside the image is no obstacle. There is a path wherever such steps lead
