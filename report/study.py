@@ -59,7 +59,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
                         help="numbers of threads, such as 2,4,8, for variants with threads; default "
                              "2. They are timed where the library would use them: on images of "
                              "2^20 pixels and more; with --all on every image")
-    add_time_options(parser, 300, 45)
+    add_time_options(parser, 300, 60)
     parser.add_argument("--no-peers", action="store_true",
                         help="do not time other projects' code and the copy")
 
@@ -95,7 +95,7 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> t
 
 def _short(options: argparse.Namespace) -> list[str]:
     """So that a quick run, too, has more than a few processes: a neighbour stays for seconds."""
-    return ["--seconds-per-row", "0.003"] if options.quick else []
+    return ["--seconds-per-row", "0.002"] if options.quick else []
 
 
 def plans_of(options: argparse.Namespace) -> list[list[str]]:

@@ -42,10 +42,16 @@ bool can_be_control(const KnownRow& known) {
   return known.row.variant != nullptr && !known.row.is_peer() && known.row.threads == 1;
 }
 
+/// By hand there is one process, whose median is shown; `./study` starts many, the shorter the
+/// better: neighbours come and go within seconds.
+constexpr int kMinRepetitions = 4;
+
 /// Benchmarks that are registered, with what they need while they run.
 class Registered {
  public:
-  explicit Registered(double seconds_per_row) : seconds_per_row_(seconds_per_row) {}
+  explicit Registered(const BenchmarkOptions& options)
+      : seconds_per_row_(options.seconds_per_row),
+        min_repetitions_(options.known.empty() ? kMinRepetitions : 1) {}
 
   /// Rows, and two controls for each case and input.
   void add_all(const std::vector<KnownRow>& rows) {
@@ -67,7 +73,7 @@ class Registered {
 
  private:
   void add(const KnownRow& known, const char* suffix, double delay_ns) {
-    Measured& measured = measured_.emplace_back(known, seconds_per_row_);
+    Measured& measured = measured_.emplace_back(known, seconds_per_row_, min_repetitions_);
     measured.delay_ns = delay_ns;
     const std::string name = known.row.name + suffix;
     benchmark::RegisterBenchmark(name.c_str(), [this, &measured](benchmark::State& state) {
@@ -86,12 +92,13 @@ class Registered {
   }
 
   double seconds_per_row_;
+  int min_repetitions_;
   std::deque<Measured> measured_;
   Workspaces workspaces_;
 };
 
 int measure(const std::vector<KnownRow>& rows, const BenchmarkOptions& options) {
-  Registered registered(options.seconds_per_row);
+  Registered registered(options);
   registered.add_all(rows);
   SampleReporter reporter(options.samples, options.for_people);
   const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter);
@@ -161,7 +168,8 @@ void initialize(std::vector<std::string>& words) {
 void add_options(CLI::App& app, BenchmarkOptions& options) {
   add_row_options(app, options.inputs, options.rows);
   app.add_option("--seconds-per-row", options.seconds_per_row,
-                 "how long the repetitions of a row take, about; there are 4 to 25")
+                 "how long the repetitions of a row take, about; there are 4 to 25, with --known 1 "
+                 "to 25")
       ->capture_default_str()
       ->check(real_number(0, 100))
       ->type_name("S");

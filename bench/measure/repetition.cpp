@@ -18,7 +18,6 @@ constexpr double kRepetition = 0.0003;
 /// slow ones, whose time new memory changes least.
 constexpr double kSlowCall = 0.05;
 constexpr double kSlowReference = 0.005;
-constexpr double kMinRepetitions = 4;
 constexpr double kMaxRepetitions = 25;
 
 /// Memory of random size before a job is made: large blocks would lie at the same place of a page
@@ -54,14 +53,14 @@ void measure(benchmark::State& state, const Measured& measured, TimedCall& call)
 
 }  // namespace
 
-Measured::Measured(const KnownRow& row, double seconds) : known(row) {
+Measured::Measured(const KnownRow& row, double seconds, int min_repetitions) : known(row) {
   calls = std::max<std::int64_t>(1, std::llround(kRepetition / row.seconds));
   // The job is new, and another row has left caches and branch predictor in its own state.
   const bool is_reference = row.row.variant == nullptr;
   if (row.seconds <= (is_reference ? kSlowReference : kSlowCall)) warm_up = 1 + calls / 3;
   const double each = static_cast<double>(calls + warm_up) * row.seconds;
-  repetitions =
-      static_cast<int>(std::clamp(std::round(seconds / each), kMinRepetitions, kMaxRepetitions));
+  repetitions = static_cast<int>(
+      std::clamp<double>(std::round(seconds / each), min_repetitions, kMaxRepetitions));
 }
 
 Workspace& Workspaces::of(const ConstImageView& input) {

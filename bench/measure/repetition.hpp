@@ -26,7 +26,7 @@ struct Measured {
   bool is_checked = false;  // the result is the verified one
 
   /// A repetition takes about 0.3 ms or one call, all of them about `seconds`.
-  Measured(const KnownRow& row, double seconds);
+  Measured(const KnownRow& row, double seconds, int min_repetitions);
 };
 
 /// Source and destination of inputs, each made once, as they lie at the same place of a page in
