@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from report.building import build
+from report.building import BENCHMARKS, build
 from report.errors import ReportError
 from report.files import check_directory, write_file
 from report.formatting import NOTHING, counted, markdown_table, times
@@ -75,8 +75,8 @@ def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
     """Returns the table and the exit status."""
     inputs = _inputs(options)
     check_directory(options.out or RESULTS)
-    programs = build("release", ("thinbench_study", "thinbench_benchmarks"))
-    machine = machine_facts(programs / "thinbench-study", commit_name())
+    programs = build("release", BENCHMARKS)
+    machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
     directory = run_directory(options, machine, DIRECTORY)
     chosen = {"filter": options.filter, "seconds": budget_of(options),
               "images": [Path(words[1]).name for words in inputs]}

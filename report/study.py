@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from report.building import PROGRAMS, build
+from report.building import BENCHMARKS, build, isas_in_use
 from report.errors import ReportError
 from report.files import check_directory
 from report.git import commit_name
@@ -78,15 +78,16 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> t
     """Returns the summary to print and the exit status."""
     check_binarise_options(parser, options, options.image + options.quality_image)
     check_directory(options.out or RESULTS)
-    programs = build("release", PROGRAMS)
-    machine = machine_facts(programs / "thinbench-study", commit_name())
+    experiments = ("thinbench_study",) if options.image or options.quality_image else ()
+    programs = build("release", BENCHMARKS + experiments, isas=isas_in_use() if options.quick else ())
+    machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
     directory = run_directory(options, machine)
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
     measurement, complete = measure_parts(benchmarks, directory, _options_json(options), machine, options,
                                           lambda: [Part(benchmarks.verify(words), options=_short(options))
                                                    for words in plans_of(options)])
     write_run(directory, machine, _options_json(options), measurement.parts)
-    write_pictures(programs / "thinbench-study", directory, options)
+    write_pictures(programs / "thinbench_benchmarks", directory, options)
     if complete:
         measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
@@ -132,8 +133,7 @@ def _options_json(options: argparse.Namespace) -> Json:
 
 def write_pictures(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """The inputs and what operations make of them, for the page."""
-    _run(program, "pictures", ["--out", str(directory / "pictures"), *input_words(options)],
-         _shown(options))
+    _run(program, ["--pictures", str(directory / "pictures"), *input_words(options)], _shown(options))
 
 
 def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:
@@ -143,9 +143,8 @@ def measure_quality(program: Path, directory: Path, options: argparse.Namespace)
     if images:
         words = [word for image in images for word in ("--image", str(image))]
         (directory / "experiments").mkdir(exist_ok=True)
-        _run(program, "experiment", ["quality", *words, *binarise_words(options),
-                                     "--out", str(directory / "experiments" / "quality.json")],
-             _shown(options))
+        _run(program, ["experiment", "quality", *words, *binarise_words(options),
+                       "--out", str(directory / "experiments" / "quality.json")], _shown(options))
 
 
 def _shown(options: argparse.Namespace) -> tuple[str, ...]:
@@ -154,9 +153,9 @@ def _shown(options: argparse.Namespace) -> tuple[str, ...]:
                           for kind in ("note", "warning")))
 
 
-def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...]) -> None:
+def _run(program: Path, words: list[str], shown: tuple[str, ...]) -> None:
     """Lines that were shown before are left out."""
-    with subprocess.Popen([program, command, *words], stdout=subprocess.DEVNULL,
+    with subprocess.Popen([program, *words], stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr
         failure = ""
@@ -167,4 +166,4 @@ def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...]) 
                 sys.stderr.write(line)
     if process.returncode != 0:
         sys.stderr.write(failure)
-        raise ReportError(f"thinbench-study {command} failed; see the line above")
+        raise ReportError(f"{program.name} {words[0]} failed; see the line above")

@@ -181,7 +181,7 @@ Json compiler_json() {
           {"build_type", THINBENCH_BUILD_TYPE}};
 }
 
-Json machine_json(const std::string& commit, const Json& options) {
+Json machine_json() {
   const CpuFacts cpu = cpu_facts_from(output_of("lscpu --json 2>/dev/null"));
   return {{"schema", 1},
           {"fingerprint", machine_fingerprint(cpu)},
@@ -193,9 +193,7 @@ Json machine_json(const std::string& commit, const Json& options) {
           {"os", os_text()},
           {"compiler", compiler_json()},
           {"libraries", libraries_json()},
-          {"commit", commit},
           {"date", utc_now()},
-          {"options", options},
           {"isa_available", available_isas()},
           {"isa_cap", isa_cap_json()}};
 }

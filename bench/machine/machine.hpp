@@ -35,9 +35,8 @@ struct CpuFacts {
 /// Compiler, version, flags and build type.
 [[nodiscard]] nlohmann::json compiler_json();
 
-/// Processor, memory, system, compiler, libraries and instruction sets, with the commit and the
-/// options of the run that they are reported for. Throws std::invalid_argument where the cap on the
-/// instruction set is malformed.
-[[nodiscard]] nlohmann::json machine_json(const std::string& commit, const nlohmann::json& options);
+/// Processor, memory, system, compiler, libraries and instruction sets. Throws
+/// std::invalid_argument where the cap on the instruction set is malformed.
+[[nodiscard]] nlohmann::json machine_json();
 
 }  // namespace thinbench

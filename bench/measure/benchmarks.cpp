@@ -15,12 +15,14 @@
 #include "cli/arguments.hpp"
 #include "cli/parse_errors.hpp"
 #include "cli/reported.hpp"
-#include "cli/usage.hpp"
+#include "machine/machine.hpp"
 #include "measure/known_rows.hpp"
+#include "measure/pictures.hpp"
 #include "measure/repetition.hpp"
 #include "measure/row_options.hpp"
 #include "measure/sample_reporter.hpp"
 #include "peers/peers.hpp"
+#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -34,6 +36,8 @@ struct BenchmarkOptions {
   std::string facts;
   std::string known;
   std::string samples;
+  std::string pictures;
+  bool machine = false;
   bool for_people = true;
 };
 
@@ -122,7 +126,18 @@ int verify_and_measure(const BenchmarkOptions& options) {
   return std::max(status, measure(rows, options));
 }
 
+int describe_machine() {
+  using Json = nlohmann::json;
+  std::cout << machine_json().dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  return kSuccess;
+}
+
 int run(const BenchmarkOptions& options) {
+  if (options.machine) return describe_machine();
+  if (!options.pictures.empty()) {
+    write_pictures(timed_inputs(options.inputs, &std::cerr), options.pictures);
+    return kSuccess;
+  }
   if (options.known.empty()) return verify_and_measure(options);
   const Known known(options.known, operations_with_peers());
   return measure(known.rows, options);
@@ -192,6 +207,11 @@ void add_options(CLI::App& app, BenchmarkOptions& options) {
       ->check(not_empty())
       ->type_name("FILE")
       ->excludes(facts);
+  app.add_option("--pictures", options.pictures,
+                 "only write the inputs and what operations make of them as image files")
+      ->check(not_empty())
+      ->type_name("DIR");
+  app.add_flag("--machine", options.machine, "only describe machine and build as JSON");
   app.footer(
       R"(Every row is verified against its reference before it is measured. A repetition is about 0.3 ms of
 calls, or one longer call, of a new job; repetitions of all rows are interleaved. ROW/again and
@@ -203,6 +223,7 @@ Examples:
   thinbench_benchmarks --benchmark_filter='^thin_guo_hall/.*bitpacked'
   thinbench_benchmarks --variants best --benchmark_format=csv > times.csv
   thinbench_benchmarks --image parts.jpg --foreground dark --threshold 100
+  thinbench_benchmarks --pictures out --image parts.jpg
 
 Exit status: 0 done, 1 a row failed, 2 wrong usage or a row that differs from its reference.)");
 }

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/usage.hpp"
 #include "harness/image_names.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

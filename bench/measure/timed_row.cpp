@@ -9,10 +9,10 @@
 
 #include <malloc.h>
 
-#include "cli/usage.hpp"
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
+#include "support/usage.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {

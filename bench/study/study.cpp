@@ -16,8 +16,8 @@ const ProgramInfo& study_program() {
 
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)",
       {&add_study_list_command, &add_study_run_command, &add_verify_command, &add_scene_command,
-       &add_machine_command, &add_train_command, &add_experiment_command, &add_instructions_command,
-       &add_pictures_command, &add_circuits_command}};
+       &add_train_command, &add_experiment_command, &add_instructions_command,
+       &add_circuits_command}};
   return program;
 }
 

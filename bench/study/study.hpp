@@ -14,11 +14,9 @@ class Verifier;
 [[nodiscard]] Command add_verify_command(CLI::App& program);
 [[nodiscard]] Command add_circuits_command(CLI::App& program);
 [[nodiscard]] Command add_scene_command(CLI::App& program);
-[[nodiscard]] Command add_machine_command(CLI::App& program);
 [[nodiscard]] Command add_train_command(CLI::App& program);
 [[nodiscard]] Command add_experiment_command(CLI::App& program);
 [[nodiscard]] Command add_instructions_command(CLI::App& program);
-[[nodiscard]] Command add_pictures_command(CLI::App& program);
 
 /// Skipped rows with the reason, mismatches, and "N passed, M failed, K skipped" as the last line.
 /// kFailure where a row differs from its reference, else kSuccess; throws UsageError where no row

@@ -35,7 +35,7 @@ class Run:
 
     @property
     def machine(self) -> Json:
-        """As `thinbench-study machine` describes it, build included."""
+        """As `thinbench_benchmarks --machine` describes it, build included."""
         machine: Json = self.facts["machine"]
         return machine
 
@@ -48,13 +48,12 @@ def load_run(directory: Path) -> Run:
 
 
 def machine_facts(program: Path, commit: str) -> Json:
-    """What the measurements depend on, told by the program that was built with thinbench_benchmarks."""
-    done = subprocess.run([program, "machine", "--commit", commit], check=False, text=True,
-                          stdout=subprocess.PIPE)
+    """What the measurements depend on, told by thinbench_benchmarks."""
+    done = subprocess.run([program, "--machine"], check=False, text=True, stdout=subprocess.PIPE)
     if done.returncode != 0:
         raise ReportError("the machine could not be described; see the line above")
     facts: Json = json.loads(done.stdout)
-    return facts
+    return facts | {"commit": commit}
 
 
 def write_run(directory: Path, machine: Json, options: Json, parts: Sequence[Part], name: str = "") -> Run:

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from report.building import ROOT, build
+from report.building import BENCHMARKS, ROOT, build
 from report.errors import ReportError
 from report.files import to_json, write_file, write_files
 from report.git import commit_name, git, is_clean
@@ -137,10 +137,9 @@ def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) 
 
 def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
     if options.self_test:
-        return self_test.run(builder(ROOT, ("thinbench_study", "thinbench_benchmarks")),
-                             options.quick)
+        return self_test.run(builder(ROOT, BENCHMARKS), options.quick)
     programs = builder(ROOT, _targets(options))
-    machine = machine_facts(programs / "thinbench-study", commit_name())
+    machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
     if options.update:
         return _update(options, programs, machine), 0
     found = _compare(options, programs, _base_programs(options, builder), machine)
@@ -151,9 +150,7 @@ def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
 
 
 def _targets(options: argparse.Namespace) -> tuple[str, ...]:
-    counting = () if options.no_instructions else ("thinbench_counted_calls",)
-    timing = () if options.counts_only else ("thinbench_benchmarks",)
-    return ("thinbench_study", *counting, *timing)
+    return BENCHMARKS + (() if options.no_instructions else ("thinbench_study", "thinbench_counted_calls"))
 
 
 def _base_programs(options: argparse.Namespace, builder: Builder) -> Path | None:

@@ -47,7 +47,7 @@ WARM_UP_SECONDS = 0.5
 def run(programs: Path, quick: bool) -> tuple[str, int]:
     """The tables and the exit status: 0 where everything holds."""
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
-    machine = machine_facts(programs / "thinbench-study", "self-test")
+    machine = machine_facts(programs / "thinbench_benchmarks", "self-test")
     facts = benchmarks.verify(["--no-peers", "--variants", "highest", "--filter", FILTER])
     parts = [_replay(benchmarks, facts, 100 if quick else 500), _stored(benchmarks, facts, machine, 4 if quick else 16)]
     good = all(passed for _, passed in parts)

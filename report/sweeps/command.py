@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from report.building import build
+from report.building import BENCHMARKS, build
 from report.files import check_directory, write_file
 from report.git import commit_name
 from report.measure.benchmarks import Benchmarks
@@ -46,8 +46,8 @@ def add_sweeps_command(parser: argparse.ArgumentParser) -> None:
 def run_sweeps(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> tuple[str, int]:
     """Returns the summary to print and the exit status."""
     check_directory(options.out or RESULTS)
-    programs = build("release", ("thinbench_study", "thinbench_benchmarks"))
-    machine = machine_facts(programs / "thinbench-study", commit_name())
+    programs = build("release", BENCHMARKS)
+    machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
     directory = run_directory(options, machine, DIRECTORY)
     chosen = {"quick": options.quick, "sweeps": list(dict.fromkeys(options.only)) or list(BY_NAME),
               "seconds": budget_of(options)}

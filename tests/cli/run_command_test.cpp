@@ -140,7 +140,7 @@ TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
       {2, "run skeleton_scan in.png out.pbm", {"skeleton_scan does not take packed files"}},
       {2,
        "run thin_spta in.png out.png",
-       {"thin_spta is a part of the study: 'thinbench-study pictures --image IMAGE"}},
+       {"thin_spta is a part of the study: 'thinbench_benchmarks --pictures DIRECTORY"}},
   });
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
     expect_rejected({2, scan + list, {"'" + list + "' has an empty name; known: rows"}});

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/usage.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/rejection.hpp"
 #include "support/temporary_directory.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

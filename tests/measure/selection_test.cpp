@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/usage.hpp"
 #include "measure/copy_operation.hpp"
 #include "measure/timed_call.hpp"
 #include "measure/timed_row.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

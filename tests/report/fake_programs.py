@@ -1,6 +1,6 @@
 """Stands in for the programs of a build: facts and samples with known times, at once.
 
-Run as `fake_programs.py thinbench-study|thinbench_benchmarks COMPILER ...`; the environment's FAKE_SLOWDOWN
+Run as `fake_programs.py NAME COMPILER ...`; the environment's FAKE_SLOWDOWN
 multiplies all times."""
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ MACHINE: Json = {
     "kernel": "Linux 6.1.0", "os": "Debian 12",
     "compiler": {"id": "GNU", "version": "12.2.0", "flags": "-O3", "build_type": "Release"},
     "libraries": {"xsimd": "8.1.0"}, "commit": "abc1234", "date": "2026-11-21T00:10:00Z",
-    "options": {}, "isa_available": ["baseline", "avx2"], "isa_cap": None,
+    "isa_available": ["baseline", "avx2"], "isa_cap": None,
 }
 
 
@@ -96,7 +96,10 @@ def lines_of(facts: Json, dice: random.Random, noise: Noise = Noise()) -> Iterat
                 yield name + suffix, ns * (1 + noise.spread * dice.random()), probe, probe * (1 + 0.001 * dice.random())
 
 
-def _benchmarks(words: list[str]) -> int:
+def _benchmarks(compiler: str, words: list[str]) -> int:
+    if "--machine" in words:
+        print(json.dumps(machine_of(compiler)))
+        return 0
     given = dict(zip(words, words[1:]))
     if "--facts" in given:
         inputs = [Path(word).stem for before, word in zip(words, words[1:]) if before in ("--input", "--image")]
@@ -128,6 +131,4 @@ def machine_of(compiler: str) -> Json:
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "thinbench_benchmarks":
-        sys.exit(_benchmarks(sys.argv[3:]))
-    print(json.dumps(machine_of(sys.argv[2])))
+    sys.exit(_benchmarks(sys.argv[2], sys.argv[3:]))

@@ -13,5 +13,5 @@ from report.__main__ import main
 
 if __name__ == "__main__":
     for module in (report.pages, report.sweeps.command):
-        module.build = lambda preset, targets: Path(sys.argv[1], preset)
+        module.build = lambda preset, targets, **_: Path(sys.argv[1], preset)
     sys.exit(main(sys.argv[2:]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import resource
 import subprocess
 from pathlib import Path
@@ -10,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from report import files
-from report.building import build
+from report.building import build, isas_in_use
 from report.errors import ReportError
 from report.files import check_directory, read_bytes, write_file
 from report.git import commit_name
@@ -131,6 +132,21 @@ def test_missing_programs_are_named(monkeypatch: pytest.MonkeyPatch, tmp_path: P
     assert commit_name() == "unknown"
     with pytest.raises(ReportError, match="there is no program 'cmake'; leave out --no-install, or install it"):
         build("release")
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="ISAs of x86-64")
+def test_a_quick_study_compiles_what_the_machine_has(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv("THINBENCH_MAX_ISA", raising=False)
+
+    def isas(flags: str) -> list[str]:
+        (tmp_path / "cpuinfo").write_text(f"model name : CPU\nflags : fpu {flags}\n")
+        return isas_in_use(tmp_path / "cpuinfo")
+    assert isas("avx2 avx512bw avx512_vbmi2") == ["baseline", "avx2", "avx512icl"]
+    assert isas("avx2 avx512bw") == ["baseline", "avx2", "avx512"]
+    assert isas("avx2") == ["baseline", "avx2"]
+    assert isas("sse4_2") == [] == isas_in_use(tmp_path / "absent")
+    monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")
+    assert isas("avx2") == []
 
 
 def test_no_commit_is_named_by_nothing() -> None:

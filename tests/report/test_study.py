@@ -22,7 +22,7 @@ Study = Callable[..., tuple[int, str]]
 
 @pytest.fixture(name="study")
 def _study(tmp_path, monkeypatch, capfd) -> Study:
-    monkeypatch.setattr(report.study, "build", lambda preset, targets: PROGRAMS)
+    monkeypatch.setattr(report.study, "build", lambda preset, targets, **_: PROGRAMS)
 
     def run(*words: str) -> tuple[int, str]:
         """Status and what is on standard error, but for the progress on a slow machine."""
@@ -44,7 +44,7 @@ def test_a_note_appears_once_and_the_image_is_on_the_page(study, image, tmp_path
     status, errors = study("--image", str(image), "--filter", "^thin_guo_hall/", "--threads", "2,3")
     assert status == 0
     assert errors.count(f"note: {image}: foreground is dark") == 1
-    assert "thinbench-study: " not in errors and "wrote" not in errors
+    assert "thinbench_benchmarks: " not in errors and "wrote" not in errors
     page = (tmp_path / "run" / "index.html").read_text(encoding="utf-8")
     assert 'alt="the input, bolt"' in page
     assert load_run(tmp_path / "run").facts["options"]["threads"] == [2, 3]

@@ -1,4 +1,5 @@
-"""Directories of kernels/ include each other only in the allowed directions; references and tools include little."""
+"""Directories of kernels/, tools/ and bench/ include each other only in the allowed directions; references and tools
+include little of the kernels."""
 
 from __future__ import annotations
 
@@ -38,6 +39,27 @@ ALLOWED = {
 PRODUCT = set(ALLOWED)
 ALLOWED["api"] = PRODUCT
 ALLOWED["techniques"] = PRODUCT
+
+# The directories of tools/ and bench/ that each of theirs may include besides itself.
+FILES = {"tools/support", "tools/rules", "tools/images"}
+ROWS = {"tools/support", "bench/harness"}
+MEASURE = FILES | ROWS | {"tools/cli", "bench/machine", "bench/peers", "bench/scene"}
+PROGRAMS = {
+    "tools/support": set(),
+    "tools/rules": {"tools/support"},
+    "tools/images": {"tools/support"},
+    "tools/batch": {"tools/support", "tools/images"},
+    "tools/cli": FILES | {"tools/batch"},
+    "bench/machine": set(),
+    "bench/harness": {"tools/support"},
+    "bench/peers": ROWS,
+    "bench/scene": ROWS,
+    "bench/training": ROWS | {"tools/rules"},
+    "bench/measure": MEASURE,
+    "bench/counts": ROWS | {"bench/machine", "bench/measure"},
+    "bench/experiments": FILES | ROWS | {"bench/scene", "bench/training"},
+    "bench/study": MEASURE | {"bench/counts", "bench/experiments", "bench/measure", "bench/training"},
+}
 
 # Files that references share with the kernels besides the public headers: data only.
 SHARED_WITH_REFERENCES = {"rules/trained_cluster.hpp"}
@@ -100,6 +122,17 @@ def violations_in_kernels(root: Path) -> list[str]:
     return found
 
 
+def violations_in_programs(root: Path) -> list[str]:
+    found = []
+    for one in [*includes_of(root, "tools"), *includes_of(root, "bench")]:
+        directory = one.file.rpartition("/")[0]
+        targets = {f"{tree}/{one.target}".rpartition("/")[0] for tree in ("tools", "bench")
+                   if (root / tree / one.target).is_file()}
+        allowed = PROGRAMS.get(directory, set()) | {directory}
+        found.extend(f"{one}, but {directory} may not include {target}" for target in sorted(targets - allowed))
+    return found
+
+
 def violations_in_references(root: Path) -> list[str]:
     own = {path.relative_to(root / "reference").as_posix() for path in sources(root / "reference")}
     found = []
@@ -149,18 +182,24 @@ def cycle_in(graph: dict[str, list[str]]) -> list[str]:
     return []
 
 
-def test_table_has_no_cycle():
-    graph = {directory: sorted(allowed - {directory}) for directory, allowed in ALLOWED.items()}
+@pytest.mark.parametrize("table", [ALLOWED, PROGRAMS], ids=["kernels", "programs"])
+def test_table_has_no_cycle(table):
+    graph = {directory: sorted(allowed - {directory}) for directory, allowed in table.items()}
     assert cycle_in(graph) == []
 
 
 def test_table_has_exactly_the_existing_directories():
-    directorys = {path.name for path in (ROOT / "kernels").iterdir() if path.is_dir()}
-    assert directorys == set(ALLOWED)
+    assert {path.name for path in (ROOT / "kernels").iterdir() if path.is_dir()} == set(ALLOWED)
+    programs = {path.parent.relative_to(ROOT).as_posix() for tree in ("tools", "bench") for path in sources(ROOT / tree)}
+    assert programs == set(PROGRAMS)
 
 
 def test_kernels_include_in_the_allowed_directions():
     assert "\n".join(violations_in_kernels(ROOT)) == ""
+
+
+def test_programs_include_in_the_allowed_directions():
+    assert "\n".join(violations_in_programs(ROOT)) == ""
 
 
 def test_kernels_have_no_include_cycle():
@@ -188,12 +227,17 @@ def test_tools_share_only_public_headers_and_a_few_others_with_the_kernels():
         "kernels/core/planes.hpp:3 includes thinning/many.hpp, but kernels/core may not include thinning",
         "kernels/edges/state.cpp:1 includes reference.hpp, but kernels/edges may not include reference.hpp",
         "kernels/edges/state.cpp:2 includes bench/job.hpp, but kernels/edges may not include bench"]),
+    (violations_in_programs, {
+        "tools/cli/words.hpp": "", "bench/harness/job.hpp": "",
+        "tools/images/read.cpp": '#include "cli/words.hpp"\n#include "core/words.hpp"\n#include "harness/job.hpp"\n'}, [
+        "tools/images/read.cpp:1 includes cli/words.hpp, but tools/images may not include tools/cli",
+        "tools/images/read.cpp:3 includes harness/job.hpp, but tools/images may not include bench/harness"]),
     (lambda root: cycle_in(includes_by_file(root)), {
         "kernels/core/a.hpp": '#include "core/b.hpp"\n',
         "kernels/core/b.hpp": '#include "core/c.hpp"\n#include "core/d.hpp"\n',
         "kernels/core/c.hpp": "", "kernels/core/d.hpp": '#include "core/a.hpp"\n'},
      [f"kernels/core/{name}.hpp" for name in "abda"])],
-    ids=["wrong direction", "cycle"])
+    ids=["wrong direction", "wrong direction of programs", "cycle"])
 def test_what_is_not_allowed_is_reported_with_file_line_and_include(tmp_path, violations, files, expected):
     for name, text in files.items():
         path = tmp_path / name

@@ -52,28 +52,5 @@ TEST(SceneCommand, truth_needs_no_picture) {
   EXPECT_EQ(Json::parse(run_with({"scene", "--truth"}).out)["width"], 510);
 }
 
-TEST(MachineCommand, prints_json_with_commit_and_options) {
-  const ProgramRun run =
-      run_with({"machine", "--commit", "abc", "--options", R"({"quick": true})"});
-  EXPECT_EQ(run.status, 0);
-  const Json json = Json::parse(run.out);
-  EXPECT_EQ(json["commit"], "abc");
-  EXPECT_EQ(json["options"]["quick"], true);
-  EXPECT_EQ(run_with({"machine", "--fingerprint"}).out,
-            json["fingerprint"].get<std::string>() + "\n");
-}
-
-TEST(PicturesCommand, writes_inputs_and_results) {
-  const TemporaryDirectory directory;
-  const std::string out = directory.file("new/pictures");
-  EXPECT_EQ(run_with({"pictures", "--out", out, "--input", "square_64"}).status, 0);
-  for (const char* name : {"square_64", "square_64_grey", "square_64_thin_guo_hall_keep",
-                           "square_64_edges_sobel", "square_64_fill_holes"}) {
-    EXPECT_EQ(read_grey(out + "/" + name + ".png").width(), 64) << name;
-  }
-  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_net_two_layer_linear.png"));
-  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_holes.png"));
-}
-
 }  // namespace
 }  // namespace thinbench

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/usage.hpp"
 #include "harness/families.hpp"
 #include "harness/verify.hpp"
 #include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/byte_image.hpp"
 #include "support/temporary_directory.hpp"
+#include "support/usage.hpp"
 #include "techniques/thinning.hpp"
 
 namespace thinbench {

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/usage.hpp"
 #include "support/json_field.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

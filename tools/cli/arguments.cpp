@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "cli/names.hpp"
-#include "cli/usage.hpp"
 #include "images/codecs.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/options.hpp"
 

@@ -12,7 +12,7 @@
 #include "cli/region_request.hpp"
 #include "cli/scan_request.hpp"
 #include "cli/tables.hpp"
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 

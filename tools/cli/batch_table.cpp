@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cli/tables.hpp"
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {

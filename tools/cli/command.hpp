@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

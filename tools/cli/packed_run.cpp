@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "cli/arguments.hpp"
-#include "cli/usage.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {

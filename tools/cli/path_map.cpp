@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/usage.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

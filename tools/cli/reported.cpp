@@ -3,9 +3,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "cli/usage.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 

@@ -10,7 +10,7 @@
 #include "cli/thinbench.hpp"
 #include "cli/thinning_request.hpp"
 #include "cli/thinning_run.hpp"
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/names.hpp"
-#include "cli/usage.hpp"
+#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {

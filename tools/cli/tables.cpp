@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/usage.hpp"
 #include "support/file_bytes.hpp"
 #include "support/text.hpp"
+#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {

@@ -8,12 +8,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/names.hpp"
-#include "cli/usage.hpp"
 #include "rules/rule_file.hpp"
 #include "rules/weights_file.hpp"
 #include "support/content_hash.hpp"
 #include "support/file_bytes.hpp"
 #include "support/json_field.hpp"
+#include "support/usage.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
@@ -67,8 +67,8 @@ NamedValue rule_of_file(const std::string& path, bool optimise) {
   for (const std::string_view moved : {"spta", "thin_spta", "net_two_layer_rounded"}) {
     if (word != moved) continue;
     throw UsageError(word +
-                     " is a part of the study: 'thinbench-study pictures --image IMAGE "
-                     "--out DIRECTORY' writes what it makes of an image");
+                     " is a part of the study: 'thinbench_benchmarks --pictures DIRECTORY "
+                     "--image IMAGE' writes what it makes of an image");
   }
   const char* const kind = known.empty() ? "rule" : "operation";
   for (const RuleInfo& info : kRules) known.push_back(info.operation);
