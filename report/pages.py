@@ -20,7 +20,7 @@ from report.measure.measurement import Part
 from report.measure.run import TIMINGS, Run, load_run, machine_facts, write_run
 from report.measure.timings import END_TO_END, Row
 from report.page.operations import COPIES, label, place
-from report.page.sentences import warning_text
+from report.page.sentences import choice_text, warning_text
 from report.progress import Progress
 from report.row_options import add_filter_option
 
@@ -221,8 +221,8 @@ def pages_markdown(run: Run) -> str:
              for name, row in pictures.items()]
     return (f"# Real pictures and drawn pages\n\n{counted(len(pictures), 'picture')}, end to end, one thread, commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}. Ratios say how many times as fast as the peer "
-            f"this project is; means are geometric.\n\n{warning_text(run)}{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks "
-            "what did not settle or whose controls failed.\n\n" +
+            f"this project is; means are geometric. {choice_text(run.rows)}\n\n{warning_text(run)}"
+            f"{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks what did not settle or whose controls failed.\n\n" +
             markdown_table(("picture", "size", *map(label, cases)), lines, frozenset(range(2, 2 + len(cases)))))
 
 

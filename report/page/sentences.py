@@ -1,13 +1,18 @@
-"""The four sentences of the first screen, and what a reader must be warned of."""
+"""The sentences of the first screen, and what a reader must be warned of."""
 
 from __future__ import annotations
 
 import datetime
+from collections.abc import Iterable
 
 from report.formatting import counted, duration, interval, three_digits, times, variant
 from report.measure.run import Run
+from report.measure.timings import END_TO_END, Row
 from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title, title
 from report.page.table_two import PAPER_MACHINE, PAPER_RULE
+
+NEAR_FASTEST = 1.05
+"""How many times the time of the fastest variant what the library takes may need."""
 
 MAX_FLAGGED = 0.05
 """Share of rows without enough quiet moments from which the page warns."""
@@ -16,7 +21,7 @@ MAX_FLAGGED = 0.05
 def sentences(rows: Rows, lines: list[Headline]) -> list[str]:
     """What was measured, against whom, against the paper, and why it can be trusted; `**` marks
     figures."""
-    found = [_fastest(rows, lines), _peers(rows, lines), _paper(rows), _verified(rows.run)]
+    found = [_fastest(rows, lines), _peers(rows, lines), choice_text(rows.run.rows), _paper(rows), _verified(rows.run)]
     return [sentence for sentence in found if sentence]
 
 
@@ -82,6 +87,22 @@ def _peers(rows: Rows, lines: list[Headline]) -> str:
              for line, ratio in found]
     return (f"With output equal in every pixel it is faster than {peer}: {', '.join(parts)}, each "
             "on one thread.")
+
+
+def choice_text(rows: Iterable[Row]) -> str:
+    """Whether what the library takes is the fastest, and where not; of settled rows."""
+    groups: dict[tuple[str, str, str], list[Row]] = {}
+    for row in rows:
+        if row.threads == 1 and row.scope == END_TO_END and not (row.peer or row.is_reference or row.flags):
+            groups.setdefault((row.case, row.input, row.sweep), []).append(row)
+    ratios = {key: chosen.time_ns / min(row.time_ns for row in own) for key, own in groups.items() if len(own) > 1
+              for chosen in own if chosen.default}
+    slower = [f"{case} on {image} ({three_digits(ratio)}\N{MULTIPLICATION SIGN} its time)"
+              for (case, image, _), ratio in ratios.items() if ratio > NEAR_FASTEST]
+    if not ratios:
+        return ""
+    return (f"In **{len(ratios) - len(slower)} of {len(ratios)}** cases the variant that the library takes is within "
+            f"{100 * (NEAR_FASTEST - 1):.0f} % of the fastest" + (f"; not in {', '.join(slower)}." if slower else "."))
 
 
 def _paper(rows: Rows) -> str:

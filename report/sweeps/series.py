@@ -9,7 +9,7 @@ from pathlib import Path
 from report.formatting import markdown_table
 from report.measure.run import TIMINGS, Run
 from report.measure.timings import Row, read_csv
-from report.page.sentences import warning_text
+from report.page.sentences import choice_text, warning_text
 from report.sweeps.plans import BY_NAME, SWEEPS, Place, curve_of
 
 DIRECTORY = "sweeps"
@@ -75,7 +75,8 @@ def sweeps_markdown(run: Run, scene: Iterable[Row] = ()) -> str:
     """A section for each sweep, a table for each case: places down, curves across. `scene`: the rows of the study."""
     series = sweep_series(run.rows)
     parts = ["# Parameter sweeps\n\nNanoseconds per pixel, end to end, on one thread unless a sweep says otherwise; "
-             f"`!` marks flagged rows. timings.csv has the intervals.\n\n{warning_text(run)}"[:-1]]
+             f"`!` marks flagged rows. timings.csv has the intervals. {choice_text(run.rows)}\n\n"
+             f"{warning_text(run)}"[:-1]]
     for name in dict.fromkeys(one.sweep for one in series):
         own = [one for one in series if one.sweep == name]
         parts.append(f"## {name}\n")

@@ -17,6 +17,7 @@ from report.measure.run import Run
 from report.measure.timings import Row
 from report.page.experiments import DIRECTORY, NAMES, experiment_tables, load_experiments
 from report.page.operations import Rows
+from report.page.sentences import choice_text
 from report.page.table_two import PAPER, table_two
 
 GOLDEN = load_experiments()
@@ -142,3 +143,14 @@ def test_claims_without_data_are_open():
 def test_claims_name_their_run(make):
     built = make([replace(make_row("holes", "simd_runs", "avx2", 1e5), border="")])
     assert MACHINE["commit"] in built.text("claims.md") and DIRECTORY.is_dir()
+
+
+def test_a_case_where_another_variant_is_faster_than_the_choice_is_named():
+    def group(case: str, chosen: float, **changes: Any) -> list[Row]:
+        return [make_row(case, "simd", "avx512", chosen, **changes), make_row(case, "scalar", "baseline", 100, **changes)]
+    near, slow = group("holes", 104.9), group("edges_sobel", 130)
+    assert choice_text([*near, *slow]) == (
+        "In **1 of 2** cases the variant that the library takes is within 5 % of the fastest; "
+        "not in edges_sobel on scene (1.30\N{MULTIPLICATION SIGN} its time).")
+    assert choice_text(near) == ("In **1 of 1** cases the variant that the library takes is within 5 % of the fastest.")
+    assert choice_text([*group("holes", 130, flags="open"), *group("holes", 130, threads=2), slow[0]]) == ""
