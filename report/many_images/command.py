@@ -87,8 +87,9 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     cv2.setNumThreads(1)
     cores = machine["cores"]
     with tempfile.TemporaryDirectory() as work:
-        with LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=":0",
-                          local_directory=work) as cluster, Client(cluster) as client:
+        with LocalCluster(  # type: ignore[no-untyped-call]
+                n_workers=cores, threads_per_worker=1, dashboard_address=":0",
+                local_directory=work) as cluster, Client(cluster) as client:  # type: ignore[no-untyped-call]
             logging.getLogger("asyncio").setLevel(logging.CRITICAL)  # of tasks at an interrupt
             client.run(_ignore_interrupts)
             steps = _steps(program, Path(work), sizes, client, cores)

@@ -57,7 +57,7 @@ class DaskSteps:
     def _run_workers(self, array: Any) -> Figures:
         """The chunks are with the workers before, and after."""
         array = array.persist()
-        wait(array)
+        wait(array)  # type: ignore[no-untyped-call]
         return self._figures(lambda: thinbench.dask.thin(array), self._all_process_times)
 
     def _all_process_times(self) -> float:

@@ -132,7 +132,8 @@ def ratio_of(above: Time, below: Time) -> Estimate:
 def _resampled(processes: int) -> Array:
     """How often each process is drawn, for each of the resamples; the same for all rows."""
     drawn = np.random.default_rng(1).integers(processes, size=(RESAMPLES, processes))
-    return (drawn[:, :, None] == np.arange(processes)).sum(axis=1).astype(float)
+    counts: Array = (drawn[:, :, None] == np.arange(processes)).sum(axis=1).astype(float)
+    return counts
 
 
 def _quantiles(values: Array, weights: Array) -> Array:

@@ -178,7 +178,7 @@ def _row_from(line: dict[str, str | None], where: str) -> Row:
     if missing:
         raise ReportError(f"{where}: column {missing!r} is missing")
     try:
-        row = Row(**{field.name: _value(line[field.name], _TYPES[field.name]) for field in fields(Row)})
+        row = Row(**{field.name: _value(line[field.name] or "", _TYPES[field.name]) for field in fields(Row)})
     except (TypeError, ValueError) as error:
         raise ReportError(f"{where}: {error}") from None
     if not 0 < row.time_ns <= row.high_ns < math.inf:

@@ -76,8 +76,8 @@ def _curve(series: Series) -> Curve:
 
 def _by_size(rows: Iterable[Row]) -> list[list[Any]]:
     by_side: dict[int, list[Row]] = {}
-    for row in rows:
-        by_side.setdefault(row.width, []).append(row)
+    for one in rows:
+        by_side.setdefault(one.width, []).append(one)
     best = [row for side in sorted(by_side) if (row := fastest(by_side[side]))]
     return [[row.width, *_rounded(row.ns_per_pixel, row.high_ns / row.width / row.height), row.flags]
             for row in best]

@@ -19,6 +19,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from report.claims import judge
@@ -76,7 +77,7 @@ def makers_of(directory: Path) -> dict[str, Maker]:
                                                               origin(rows.run)),
                    "run": lambda _, folder: _run_line(rows, folder)}
     if pages := load_pages(directory):
-        makers["pages"] = lambda _, folder: _pages(pages, folder)
+        makers["pages"] = partial(_pages, pages)
     if many.exists():
         results = read_many_images(many)
         makers["many-images"] = lambda words, folder: _many_images(results, words, many, folder)
@@ -140,7 +141,7 @@ def _run_line(rows: Rows, folder: Path) -> str:
             f"({machine['fingerprint']}), one thread: [all timings]({where}/timings.csv).\n")
 
 
-def _pages(run: Run, folder: Path) -> str:
+def _pages(run: Run, _: list[str], folder: Path) -> str:
     names = {row.input for row in run.rows}
     where = os.path.relpath(run.directory, folder)
     open_rows = sum(row.flags == "open" for row in run.rows)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from report.formatting import NOTHING, counted, duration, interval, scope_label, times
 from report.measure.timings import Row
@@ -93,10 +94,10 @@ def _columns(rows: list[Row]) -> list[Column]:
                                interval(_speedup(row, row.speedup_low), row.speedup_high),
                                _number(_speedup(row, row.speedup_low)))),
                            ("To peer", lambda row: _ratio(row.speedup_vs_peer))]
-    optional = {"Options": {options(row) for row in rows}, "Image": {row.input for row in rows},
+    optional: dict[str, set[Any]] = {"Options": {options(row) for row in rows}, "Image": {row.input for row in rows},
                 "Flags": {row.flags for row in rows} | {""},
                 "To peer": {row.speedup_vs_peer for row in rows} | {None}}
-    return [column for column in found if len(optional.get(column[0], "ab")) > 1]
+    return [column for column in found if len(optional.get(column[0], {1, 2})) > 1]
 
 
 def _speedup(row: Row, value: float | None) -> float | None:

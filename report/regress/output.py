@@ -71,7 +71,8 @@ def to_junit(outcome: Outcome) -> bytes:
                 kind = "failure" if row.verdict == Verdict.FAIL else "skipped"
                 ElementTree.SubElement(case, kind, message=f"{row.verdict}: {about(row)}")
     ElementTree.indent(root)
-    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
+    text: bytes = ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
+    return text
 
 
 def to_bencher(outcome: Outcome) -> Json:
