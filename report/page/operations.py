@@ -44,8 +44,8 @@ LABELS = {
 
 HEADLINES = (
     "thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_zhang_suen:keep", "thin_mb2",
-    "thin_spta_directional", "thin_lu_wang", PRINTED_RULE, "skeleton_scan", "edges_sobel", "holes",
-    "label_image", "euler_number", "localise_objects", "net_two_layer_linear")
+    PRINTED_RULE, "skeleton_scan", "edges_sobel", "holes", "label_image", "euler_number", "localise_objects",
+    "net_two_layer_linear")
 """Cases of the first table."""
 
 
