@@ -62,7 +62,7 @@ class PixelDistances {
 }  // namespace
 
 std::vector<MainPath> main_paths(ConstImageView skeleton, const Spacing& spacing) {
-  const Graph graph = skeleton_graph(skeleton);
+  const Graph graph = reference::skeleton_graph(skeleton);
   PixelDistances distances(skeleton, graph, spacing);
   std::vector<std::size_t> points;  // the pixels that stand for them
   for (const GraphNode& node : graph.nodes) points.push_back(node.first_pixel);

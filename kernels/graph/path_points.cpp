@@ -32,7 +32,7 @@ bool are_below(const std::vector<std::uint32_t>& numbers, std::size_t count) {
 /// Whether its numbers are those of nodes, edges and pixels of the graph.
 bool is_path_of(const Graph& graph, const GraphPath& path) {
   const auto& [length, nodes, edges, first, last] = path;
-  const std::size_t partial = (first ? 1 : 0) + (last ? 1 : 0);
+  const std::size_t partial = std::size_t{first.has_value()} + std::size_t{last.has_value()};
   if (!are_below(nodes, graph.nodes.size()) || !are_below(edges, graph.edges.size())) return false;
   if (partial > 0 && edges.empty()) return false;
   if (first && *first >= graph.edges[edges.front()].pixel_count) return false;

@@ -269,7 +269,7 @@ TEST(MainPaths, lead_between_the_farthest_of_all_pixels_of_every_image_of_4_by_4
 
 TEST(MainPaths, lead_between_the_farthest_of_all_pixels_of_random_skeletons) {
   std::mt19937 random(5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 600; ++i) {
     const auto width = static_cast<Index>(1 + random() % 14), height = width + i % 3;
     const auto rarity = static_cast<unsigned>(3 + random() % 12);
     ByteImage image =

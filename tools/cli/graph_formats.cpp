@@ -274,7 +274,7 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
     properties["kind"] = "main path";
     features.push_back(feature(
         "LineString", positions(found.main_lines[i], [&](Pixel p) { return position(p.x, p.y); }),
-        properties));
+        std::move(properties)));
   }
   Json json = {
       {"type", "FeatureCollection"}, {"spacing", spacing_json(found)}, {"unit", unit_json(found)}};
