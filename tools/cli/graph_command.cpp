@@ -21,6 +21,7 @@
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "support/whole_file.hpp"
+#include "thinbench/graph_parts.hpp"
 
 namespace thinbench {
 namespace {
