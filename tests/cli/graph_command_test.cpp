@@ -118,9 +118,11 @@ TEST_F(GraphCommand, lists_the_main_path_of_each_component) {
 
 TEST_F(GraphCommand, main_paths_of_rings_begin_or_end_within_edges) {
   write_grey("in.png", image_of(kRing).view());
-  expect_holds(graph("--main-path"), "main path 1: node 1 to edge 1 at (5, 3), length 7.00\n");
-  const Json found =
-      Json::parse(graph("--main-path --json --geojson ring.json --overlay ring.svg --tolerance 0"));
+  expect_holds(graph("--foreground bright --main-path"),
+               "main path 1: node 1 to edge 1 at (5, 3), length 7.00\n");
+  const Json found = Json::parse(
+      graph("--foreground bright --main-path --json --geojson ring.json --overlay ring.svg "
+            "--tolerance 0"));
   EXPECT_EQ(found.at("main_paths")[0],
             Json::parse(R"({"id": 1, "from": 1, "to": null, "length": 7, "nodes": [1],
                             "edges": [1], "points": [[1, 0], [5, 0], [5, 3]]})"));
