@@ -1,5 +1,8 @@
-// The graph of a skeleton, pruning, and polylines of edges, in plain code.
+// The graph of a skeleton, pruning, polylines of edges and main paths, in plain code.
 #pragma once
+
+#include <cstddef>
+#include <vector>
 
 #include "thinbench/graph.hpp"
 
@@ -16,5 +19,17 @@ void prune(ConstImageView skeleton, ImageView destination, const Pruning& prunin
 /// measures every point.
 [[nodiscard]] std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance,
                                           const Spacing& spacing = {});
+
+/// A main path from point to point: first the nodes have numbers, then the pixels of edges.
+struct MainPath {
+  double length;
+  std::size_t first;
+  std::size_t last;
+};
+
+/// Of each component, by the distances of all pixels from all others; see
+/// thinbench/graph_paths.hpp.
+[[nodiscard]] std::vector<MainPath> main_paths(ConstImageView skeleton,
+                                               const Spacing& spacing = {});
 
 }  // namespace thinbench::reference

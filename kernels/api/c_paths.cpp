@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "api/c_arguments.hpp"
+#include "graph/main_paths.hpp"
 #include "thinbench/graph_paths.hpp"
 #include "thinbench/path.hpp"
 
@@ -19,10 +20,15 @@ namespace {
 using namespace thinbench;
 using namespace thinbench::detail;
 
+int64_t number_of(std::optional<std::uint32_t> point) {
+  return point ? int64_t{*point} : -1;
+}
+
 thinbench_graph_paths joined(const std::vector<GraphPath>& paths) {
   thinbench_graph_paths all;
-  for (const auto& [length, nodes, edges] : paths) {
-    all.list.push_back({length, all.nodes.size(), nodes.size(), all.edges.size(), edges.size()});
+  for (const auto& [length, nodes, edges, first_point, last_point] : paths) {
+    all.list.push_back({length, all.nodes.size(), nodes.size(), all.edges.size(), edges.size(),
+                        number_of(first_point), number_of(last_point)});
     all.nodes.insert(all.nodes.end(), nodes.begin(), nodes.end());
     all.edges.insert(all.edges.end(), edges.begin(), edges.end());
   }
@@ -40,10 +46,14 @@ PathRequest request_of(const thinbench_path_request* request) {
 
 }  // namespace
 
-thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
-                                      size_t link_count, thinbench_graph_paths** paths) {
-  return give(paths, "paths",
-              [&] { return joined(main_paths(nodes, links_of(links, link_count))); });
+thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_graph_edge* edges,
+                                      size_t edge_count, const thinbench_pixel* pixels,
+                                      size_t pixel_count, const thinbench_spacing* spacing,
+                                      thinbench_graph_paths** paths) {
+  return give(paths, "paths", [&] {
+    return joined(main_paths(nodes, span_of<GraphEdge>(edges, edge_count, "edges"),
+                             span_of<Pixel>(pixels, pixel_count, "pixels"), spacing_of(spacing)));
+  });
 }
 
 thinbench_status thinbench_cycles(uint32_t nodes, const thinbench_link* links, size_t link_count,

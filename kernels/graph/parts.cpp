@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/checks.hpp"
 #include "thinbench/graph_parts.hpp"
@@ -111,6 +112,19 @@ double distance_between(Pixel a, Pixel b, const Spacing& spacing) {
                     (static_cast<double>(b.y) - a.y) * spacing.y);
 }
 
+/// The number of the edge, from 1, of each node that has only one.
+Numbers only_edges(const Graph& graph) {
+  Numbers edges(graph.nodes.size());
+  std::vector<bool> has_others(graph.nodes.size());
+  for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
+    for (const std::uint32_t node : {graph.edges[i].from, graph.edges[i].to}) {
+      if (edges[node] != 0 && edges[node] != i + 1) has_others[node] = true;
+      edges[node] = has_others[node] ? 0 : i + 1;
+    }
+  }
+  return edges;
+}
+
 BranchType type_of(const Graph& graph, const GraphEdge& edge) {
   const NodeKind from = graph.nodes[edge.from].kind;
   if (from == NodeKind::cycle) return BranchType::cycle;
@@ -173,6 +187,28 @@ GraphPlace nearest_place(const Graph& graph, double x, double y, const Spacing& 
     }
   }
   return nearest;
+}
+
+void edge_labels(const Graph& graph, LabelView destination) {
+  detail::check(detail::memory_of("destination", destination));
+  const auto [width, height] = std::pair(destination.width, destination.height);
+  for (const auto* pixels : {&graph.node_pixels, &graph.edge_pixels}) {
+    detail::require(
+        std::ranges::all_of(
+            *pixels, [=](Pixel p) { return p.x >= 0 && p.y >= 0 && p.x < width && p.y < height; }),
+        "destination: smaller than the image of the graph");
+  }
+  for (Index y = 0; y < height; ++y) std::fill_n(destination.row(y), width, 0);
+  const auto write = [&](std::span<const Pixel> pixels, std::uint32_t label) {
+    for (const Pixel p : pixels) destination.row(p.y)[p.x] = static_cast<std::int32_t>(label);
+  };
+  const Numbers of_nodes = only_edges(graph);
+  for (std::uint32_t node = 0; node < graph.nodes.size(); ++node) {
+    write(graph.pixels_of(graph.nodes[node]), of_nodes[node]);
+  }
+  for (std::uint32_t edge = 0; edge < graph.edges.size(); ++edge) {
+    write(graph.pixels_of(graph.edges[edge]), edge + 1);
+  }
 }
 
 std::vector<Branch> branches(const Graph& graph, const Spacing& spacing) {

@@ -175,6 +175,15 @@ double length_of(const Steps& steps, const Spacing& spacing) {
   return steps.horizontal * spacing.x + steps.vertical * spacing.y + steps.diagonal * diagonal;
 }
 
+double length_of(std::span<const Pixel> points, const Spacing& spacing) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Step step(points[i - 1], points[i], spacing);
+    length += std::hypot(step.x, step.y);
+  }
+  return length;
+}
+
 std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge) {
   std::vector<Pixel> points = {edge.start};
   const std::span<const Pixel> line = graph.pixels_of(edge);

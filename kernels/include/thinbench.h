@@ -696,12 +696,17 @@ typedef struct thinbench_graph_path {
   size_t node_count;
   size_t first_edge; /* in the list of edges: numbers of links */
   size_t edge_count;
+  int64_t
+      first_point;    /* where a main path begins, of the pixels of its first edge; -1: at a node */
+  int64_t last_point; /* where it ends, of those of its last edge */
 } thinbench_graph_path;
 
-/* The longest shortest path of every component. */
-THINBENCH_API thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
-                                                    size_t link_count,
-                                                    thinbench_graph_paths** paths);
+/* The longest shortest path between nodes and pixels of lines, of every component of a graph with
+ * so many nodes, these edges and the pixels of edges. */
+THINBENCH_API thinbench_status
+thinbench_main_paths(uint32_t nodes, const thinbench_graph_edge* edges, size_t edge_count,
+                     const thinbench_pixel* pixels, size_t pixel_count,
+                     const thinbench_spacing* spacing, thinbench_graph_paths** paths);
 /* A cycle for each link that is not in the minimum spanning forest; the edges include the one from
  * the last node to the first. */
 THINBENCH_API thinbench_status thinbench_cycles(uint32_t nodes, const thinbench_link* links,

@@ -68,7 +68,7 @@ def skeleton_graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, 
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
     handle = ctypes.c_void_p()
     _library.skeleton_graph(lines, options, ctypes.byref(handle))
-    return taken(split_graph(handle, nodes), units, distances)
+    return taken(split_graph(handle, nodes), array.shape, units, distances)
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,

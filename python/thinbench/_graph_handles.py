@@ -10,12 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _library
+from thinbench._network import EDGE
 from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
 
 _PIXEL = np.dtype(("i4", 2))  # column and row
 _NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
-_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", "i4", 2), ("stop", "i4", 2), ("first_pixel", "u4"),
-                  ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
 
 
 def split_graph(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
@@ -53,13 +52,13 @@ def pruning(min_length: float, min_widths: float, removes_components: bool, dist
     return _library.pruning(_arrays.real("min_length", min_length), widths, *parts, bool(removes_components)), parts
 
 
-def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None, *,
+def taken(handle: ctypes.c_void_p, shape: tuple[int, ...], spacing: tuple[float, float], distances: Array | None, *,
           has_labels: bool = False) -> Graph:
-    """The graph of a handle, which is destroyed."""
+    """The graph of a handle, which is destroyed; `shape` is that of the image."""
     try:
         nodes, edges, node_pixels, edge_pixels = (
             _library.copied(handle, [list_of], dtype)[0] for list_of, dtype in (
-                (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
+                (_library.graph_nodes, _NODE), (_library.graph_edges, EDGE),
                 (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
         labels = _library.copied(handle, [_library.graph_node_labels], np.dtype(np.int32))[0].astype(np.int64)
         widths = {} if distances is None else _width_columns(handle, distances, len(edges))
@@ -71,7 +70,7 @@ def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Arra
     if has_labels:
         node_columns["label"] = labels
         edge_columns["label"] = labels[edges["from"]]
-    return counted(node_columns, edge_columns, spacing, pixels, chains, distances)
+    return counted(node_columns, edge_columns, spacing, shape, pixels, chains, edges, distances)
 
 
 def _chains(edges: Array, lines: Array) -> Groups:

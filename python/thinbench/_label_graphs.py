@@ -51,7 +51,7 @@ def graph_of_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = Non
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
     handle = ctypes.c_void_p()
     _library.graph_of_labels(_arrays.numbers(lines), options, ctypes.byref(handle))
-    return taken(handle, units, distances, has_labels=True)
+    return taken(handle, lines.shape, units, distances, has_labels=True)
 
 
 def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,

@@ -142,7 +142,7 @@ graph_destroy = _function("graph_destroy", "p")
 edge_widths = _checked("edge_widths", "pbbpn")
 polyline = _checked("polyline", "pndbpp")
 
-main_paths = _checked("main_paths", "upnp")
+main_paths = _checked("main_paths", "upnpnbp")
 cycles = _checked("cycles", "upnp")
 shortest_path = _checked("shortest_path", "upnuup")
 components_of = _checked("components_of", "upnp")

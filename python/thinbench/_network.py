@@ -13,10 +13,12 @@ from thinbench import _library
 
 _LINK = np.dtype([("from", "u4"), ("to", "u4"), ("length", "f8")])
 _PATH = np.dtype([("length", "f8"), ("first_node", "u8"), ("node_count", "u8"), ("first_edge", "u8"),
-                  ("edge_count", "u8")])
+                  ("edge_count", "u8"), ("first_point", "i8"), ("last_point", "i8")])
+EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", "i4", 2), ("stop", "i4", 2), ("first_pixel", "u4"),
+                 ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
 
 Array = npt.NDArray[Any]
-Path = tuple[float, Array, Array]  # its length, nodes and links
+Path = tuple[float, Array, Array, int, int]  # its length, nodes, links, and points of the first and the last; -1: none
 
 
 def links(first: Array, last: Array, length: Array) -> Array:
@@ -26,8 +28,9 @@ def links(first: Array, last: Array, length: Array) -> Array:
     return table
 
 
-def main_paths(nodes: int, table: Array) -> list[Path]:
-    return _found(_library.main_paths, nodes, table)
+def main_paths(nodes: int, edges: Array, pixels: Array, spacing: tuple[float, float]) -> list[Path]:
+    """Of edges of the type EDGE; pixels are columns and rows."""
+    return _found(_library.main_paths, nodes, edges, _library.address(pixels), len(pixels), _library.spacing(*spacing))
 
 
 def cycles(nodes: int, table: Array) -> list[Path]:
@@ -49,7 +52,7 @@ def components(nodes: int, table: Array) -> Array:
     return numbers.astype(np.int64)
 
 
-def _found(function: Callable[..., None], nodes: int, table: Array, *more: int) -> list[Path]:
+def _found(function: Callable[..., None], nodes: int, table: Array, *more: Any) -> list[Path]:
     handle = ctypes.c_void_p()
     function(nodes, _library.address(table), len(table), *more, ctypes.byref(handle))
     try:
@@ -58,5 +61,5 @@ def _found(function: Callable[..., None], nodes: int, table: Array, *more: int) 
                    for list_of in (_library.graph_paths_nodes, _library.graph_paths_edges)]
     finally:
         _library.graph_paths_destroy(handle)
-    return [(float(length), numbers[0][node:node + node_count], numbers[1][edge:edge + edge_count])
-            for length, node, node_count, edge, edge_count in paths.tolist()]
+    return [(float(length), numbers[0][node:node + node_count], numbers[1][edge:edge + edge_count], first, last)
+            for length, node, node_count, edge, edge_count, first, last in paths.tolist()]

@@ -56,12 +56,18 @@ class GraphPath(NamedTuple):
 
     `pixels` are the rows and columns along the edges. In a node of several pixels they go straight from
     one edge to the next, which adds nothing to the length.
+
+    A main path may begin or end at a pixel of an edge instead. Then only a part of the first edge is on it,
+    from pixel `start` of `edge_pixels(edges[0])` to the first node, or of the last edge, from the last node
+    to pixel `stop` of `edge_pixels(edges[-1])`. Both are None at nodes. A path within one edge has no nodes.
     """
 
     length: float
     nodes: Array
     edges: Array
     pixels: Array
+    start: int | None
+    stop: int | None
 
 
 class Place(NamedTuple):
@@ -95,13 +101,17 @@ class Graph:
         its pixels enclose, has length 0. Of `graph_of_labels` also "label", as for nodes.
     spacing : two floats
         The distance between rows and that between columns, in whose unit lengths and widths are.
+    shape : two integers
+        The rows and columns of the skeleton.
     """
 
     nodes: Columns
     edges: Columns
     spacing: tuple[float, float]
+    shape: tuple[int, ...]
     _nodes: Groups  # rows and columns of their pixels
     _chains: Groups  # those along the edges, with both ends
+    _table: Array  # the edges of the library, whose nodes and first pixels may be those of another graph
     _distances: Array | None  # of the image that was thinned
 
     def __repr__(self) -> str:
@@ -142,11 +152,34 @@ class Graph:
 
     def edge_widths(self, edge: int) -> Array:
         """The width at each of `edge_pixels(edge)`. The graph must know its image."""
+        return self._widths("edge_widths", self.edge_pixels(edge))
+
+    def path_widths(self, path: GraphPath) -> Array:
+        """The width at each of `path.pixels`. The graph must know its image."""
+        return self._widths("path_widths", path.pixels)
+
+    def _widths(self, name: str, pixels: Array) -> Array:
         if self._distances is None:
-            raise ValueError("edge_widths: expected a skeleton_graph(skeleton, image), whose image gives the widths")
-        rows, columns = self.edge_pixels(edge).T
-        widths: Array = 2 * self._distances[rows, columns]
+            raise ValueError(f"{name}: expected a skeleton_graph(skeleton, image), whose image gives the widths")
+        widths: Array = 2 * self._distances[tuple(pixels.T)]
         return widths
+
+    def edge_labels(self) -> Array:
+        """The number of its edge, from 1, at each pixel of an edge: an array of int32 of the shape of the skeleton.
+
+        A node with one edge belongs to it, such as an end or the first pixel of a closed line. Where edges
+        meet and elsewhere it is 0.
+        """
+        first, last = self.edges["from"], self.edges["to"]
+        count = len(self.nodes["kind"])
+        numbers = np.arange(1, len(first) + 1, dtype=np.int32)
+        of_nodes = np.zeros(count, np.int32)
+        of_nodes[first] = of_nodes[last] = numbers
+        of_nodes[np.bincount(first, minlength=count) + np.bincount(last[last != first], minlength=count) > 1] = 0
+        labels = np.zeros(self.shape, np.int32)
+        labels[tuple(self._chains.values.T)] = np.repeat(numbers, self._chains.lengths())
+        labels[tuple(self._nodes.values.T)] = np.repeat(of_nodes, self._nodes.lengths())
+        return labels
 
     def polylines(self, tolerance: float = 1) -> list[Array]:
         """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
@@ -161,13 +194,33 @@ class Graph:
                           _library.spacing(*self.spacing), kept.ctypes.data, ctypes.byref(count))
         return kept[:count.value, ::-1].copy()
 
-    def main_paths(self) -> list[GraphPath]:
-        """The longest of the shortest paths between two nodes, of each component.
+    def smoothed_lengths(self, tolerance: float = 1) -> Array:
+        """The length of each of `polylines(tolerance)`, which is less than that of the steps where a line runs
+        between the directions of rows, columns and diagonals."""
+        return self._lengths(self.polylines(tolerance))
 
-        Of paths that are equally long, the one with the lowest first node, then with the lowest last one.
-        Exact for graphs with cycles, too. A component without edges has a path of one pixel.
+    def _lengths(self, lines: list[Array]) -> Array:
+        bounds = bounds_of(np.array([len(line) for line in lines], np.int64))
+        points = np.concatenate([*lines, np.empty((0, 2), np.int32)])
+        steps = np.diff(points, axis=0, prepend=points[:1]) * self.spacing
+        lengths = np.hypot(steps[:, 0], steps[:, 1])
+        lengths[bounds[:-1]] = 0
+        of_lines = np.repeat(np.arange(len(lines)), np.diff(bounds))
+        return np.bincount(of_lines, lengths, len(lines))  # sums in their order, as the program does
+
+    def main_paths(self) -> list[GraphPath]:
+        """The longest of the shortest paths between two nodes or pixels of edges, of each component.
+
+        Of paths that are equally long, the one with the lowest first point, then with the lowest last one: the
+        nodes, then the pixels of the edges in their order. Exact for graphs with cycles, too, whose paths may
+        begin and end within an edge. A component without edges has a path of one pixel.
         """
-        return [self._path(*path) for path in _network.main_paths(*self._links())]
+        table = self._table.copy()
+        table["from"], table["to"] = self.edges["from"], self.edges["to"]
+        table["first_pixel"] = self._chains.bounds[:-1] + 1
+        pixels = np.ascontiguousarray(self._chains.values[:, ::-1])
+        found = _network.main_paths(len(self.nodes["kind"]), table, pixels, self.spacing)
+        return [self._path(*path) for path in found]
 
     def main_path(self) -> GraphPath:
         """The longest of `main_paths()`, of equal ones the first."""
@@ -199,7 +252,7 @@ class Graph:
         if not longest >= 0:
             raise ValueError(f"max_length: expected a number of at least 0, got {longest:g}")
         keep = np.ones(len(self.edges["from"]), bool)
-        for length, _, edges in _network.cycles(*self._links()):
+        for length, _, edges, *_ in _network.cycles(*self._links()):
             keep[edges[-1]] = length > longest
         return self._with_edges(np.flatnonzero(keep), np.arange(len(self.nodes["kind"])))
 
@@ -226,12 +279,38 @@ class Graph:
         place = self._chains.values[at]
         return Place(edge, int(place[0]), int(place[1]), float(np.sqrt(squares[at])))
 
-    def summary(self, separator: str = "-") -> Columns:
+    def parents(self, root: int) -> Array:
+        """For each node the next one on the way to node `root`, as in SWC files; -1 for the root itself and in
+        other components. ValueError if the component has cycles, of which `open_cycles()` has none."""
+        number, count = _arrays.integer("root", root), len(self.nodes["kind"])
+        if not 0 <= number < count:
+            raise ValueError(f"root: expected the number of a node from 0 to {count - 1}, got {number}")
+        is_in = self.nodes["component"] == self.nodes["component"][number]
+        cycles = int(is_in[self.edges["from"]].sum() - is_in.sum()) + 1
+        if cycles > 0:
+            raise ValueError(f"root: expected a node of a tree, got {number} in a component with "
+                             f"{_arrays.counted(cycles, 'cycle')}; open_cycles() opens them")
+        ends = np.concatenate([self.edges["from"], self.edges["to"]])
+        others = np.concatenate([self.edges["to"], self.edges["from"]])
+        neighbours = Groups(others[np.argsort(ends)], bounds_of(np.bincount(ends, minlength=count)))
+        parents = np.full(count, -1)
+        to_visit = [number]
+        while to_visit:
+            node = to_visit.pop()
+            children = neighbours.of(node)
+            children = children[children != parents[node]]
+            parents[children] = node
+            to_visit += children.tolist()
+        return parents
+
+    def summary(self, separator: str = "-", *, image: npt.ArrayLike | None = None, tolerance: float = 1) -> Columns:
         """A table of the edges with the column names of skan's `summarize`, as a dict of arrays.
 
         "branch-type" is 0 between ends, 1 between an end and a junction, 2 between junctions, 3 for a
         closed line. "tortuosity" is the length by the distance between the ends, NaN where these are one
-        place. `pandas.DataFrame(graph.summary())` is the table that scripts expect.
+        place. With an image, "mean-pixel-value" and "stdev-pixel-value" are those of its values along each
+        edge, both ends included. "smoothed-length" are the `smoothed_lengths(tolerance)`.
+        `pandas.DataFrame(graph.summary())` is the table that scripts expect.
         """
         nodes, edges = self.nodes, self.edges
         sides = [("src", edges["from"], self._chains.bounds[:-1]), ("dst", edges["to"], self._chains.bounds[1:] - 1)]
@@ -239,6 +318,8 @@ class Graph:
         table.update({"node-id-" + side: node.copy() for side, node, _ in sides})
         table["branch-distance"] = edges["length"].copy()
         table["branch-type"] = self._branch_types()
+        if image is not None:
+            table["mean-pixel-value"], table["stdev-pixel-value"] = self._means_and_deviations(np.asarray(image, float))
         places = {side: self._chains.values[at] for side, _, at in sides}
         for prefix, unit in (("image-coord", (1, 1)), ("coord", self.spacing)):
             for side, pixels in places.items():
@@ -246,8 +327,19 @@ class Graph:
         table["euclidean-distance"] = edges["chord"].copy()
         with np.errstate(invalid="ignore", divide="ignore"):
             table["tortuosity"] = np.where(edges["chord"] > 0, edges["length"] / edges["chord"], np.nan)
+        table["smoothed-length"] = self.smoothed_lengths(tolerance)
         table.update({name: edges[name].copy() for name in edges if name.startswith("width-") or name == "label"})
         return {name.replace("-", separator): column for name, column in table.items()}
+
+    def _means_and_deviations(self, image: Array) -> tuple[Array, Array]:
+        """Of its values along each edge."""
+        if image.shape != self.shape:
+            raise ValueError(f"image: expected the skeleton's shape {self.shape}, got {image.shape}")
+        lengths = self._chains.lengths()
+        values = image[tuple(self._chains.values.T)]
+        means = self._chains.reduced(np.add, values) / lengths
+        squares = (values - np.repeat(means, lengths)) ** 2
+        return means, np.sqrt(self._chains.reduced(np.add, squares) / lengths)
 
     def _branch_types(self) -> Array:
         first, last = (self.nodes["kind"][self.edges[side]] for side in ("from", "to"))
@@ -278,10 +370,12 @@ class Graph:
             properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i]),
                           **_label(nodes, i)}
             features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
-        for i, line in enumerate(self.polylines(tolerance)):
+        lines = self.polylines(tolerance)
+        smoothed_lengths = self._lengths(lines)
+        for i, line in enumerate(lines):
             properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
-                          "pixels": len(self.edge_pixels(i)) - 2,
-                          "length": float(edges["length"][i]), "chord": float(edges["chord"][i])}
+                          "pixels": len(self.edge_pixels(i)) - 2, "length": float(edges["length"][i]),
+                          "smoothed_length": float(smoothed_lengths[i]), "chord": float(edges["chord"][i])}
             for column, name in widths.items():
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
@@ -323,13 +417,41 @@ class Graph:
     def _links(self) -> tuple[int, Array]:
         return len(self.nodes["kind"]), _network.links(self.edges["from"], self.edges["to"], self.edges["length"])
 
-    def _path(self, length: float, nodes: Array, edges: Array) -> GraphPath:
-        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
-                  for node, edge in zip(nodes, edges)]
-        pixels = np.concatenate(chains) if chains else self.node_pixels(nodes[0])[:1]
+    def _path(self, length: float, nodes: Array, edges: Array, first: int, last: int) -> GraphPath:
+        """`first` and `last` are positions between the ends of the first and the last edge, or -1 at nodes."""
+        start, stop = (None if point < 0 else point + 1 for point in (first, last))
+        pixels = self._pixels_along(nodes, edges, start, stop)
         is_new = np.ones(len(pixels), bool)
         is_new[1:] = (np.diff(pixels, axis=0) != 0).any(axis=1)
-        return GraphPath(length, nodes, edges, pixels[is_new])
+        return GraphPath(length, nodes, edges, pixels[is_new], start, stop)
+
+    def _pixels_along(self, nodes: Array, edges: Array, start: int | None, stop: int | None) -> Array:
+        """Where edges meet in one pixel, it is there twice."""
+        if len(nodes) == 0:
+            return self.edge_pixels(edges[0])[start:None if stop is None else stop + 1]
+        if len(edges) == 0:
+            return self.node_pixels(nodes[0])[:1]
+        whole = edges[0 if start is None else 1:len(edges) if stop is None else -1]
+        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
+                  for node, edge in zip(nodes, whole)]
+        if start is not None:
+            chains.insert(0, self._part(edges[0], nodes[0], start)[::-1])
+        if stop is not None:
+            chains.append(self._part(edges[-1], nodes[-1], stop))
+        return np.concatenate(chains)
+
+    def _part(self, edge: int, node: int, pixel: int) -> Array:
+        """From one of its nodes to a pixel of an edge; of a loop the shorter part, of equal ones the first."""
+        chain = self.edge_pixels(edge)
+        is_first = self.edges["from"][edge] == node
+        if is_first and self.edges["to"][edge] == node:
+            steps = np.abs(np.diff(chain[:pixel + 1], axis=0))
+            diagonal = int((steps.sum(axis=1) == 2).sum())
+            down, across = (int(count) - diagonal for count in steps.sum(axis=0))
+            rows, columns = self.spacing
+            position = across * columns + down * rows + diagonal * math.sqrt(columns * columns + rows * rows)
+            is_first = position <= self.edges["length"][edge] - position
+        return chain[:pixel + 1] if is_first else chain[pixel:][::-1]
 
     def _with_edges(self, edges: Array, nodes: Array) -> Graph:
         """Of these edges and nodes, in this order."""
@@ -338,17 +460,17 @@ class Graph:
         columns = {name: column[edges] for name, column in self.edges.items()}
         columns.update({side: numbers[columns[side]] for side in ("from", "to")})
         kept = {name: column[nodes] for name, column in self.nodes.items()}
-        return counted(kept, columns, self.spacing, self._nodes.chosen(nodes), self._chains.chosen(edges),
-                       self._distances)
+        return counted(kept, columns, self.spacing, self.shape, self._nodes.chosen(nodes), self._chains.chosen(edges),
+                       self._table[edges], self._distances)
 
 
-def counted(nodes: Columns, edges: Columns, spacing: tuple[float, float], node_pixels: Groups, chains: Groups,
-                 distances: Array | None) -> Graph:
+def counted(nodes: Columns, edges: Columns, spacing: tuple[float, float], shape: tuple[int, ...], node_pixels: Groups,
+            chains: Groups, table: Array, distances: Array | None) -> Graph:
     """A graph whose degrees and components are counted."""
     count = len(nodes["kind"])
     nodes["degree"] = np.bincount(edges["from"], minlength=count) + np.bincount(edges["to"], minlength=count)
     nodes["component"] = _network.components(count, _network.links(edges["from"], edges["to"], edges["length"]))
-    return Graph(nodes, edges, spacing, node_pixels, chains, distances)
+    return Graph(nodes, edges, spacing, shape, node_pixels, chains, table, distances)
 
 
 def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:

@@ -759,11 +759,12 @@ static void finds_paths_through_a_graph(void) {
   thinbench_graph_paths* paths = NULL;
   CHECK(thinbench_components_of(4, links, 4, components) == THINBENCH_OK);
   CHECK(components[0] == 0 && components[2] == 0 && components[3] == 1);
-  CHECK(thinbench_main_paths(4, links, 4, &paths) == THINBENCH_OK);
+  CHECK(thinbench_shortest_path(4, links, 4, 0, 2, &paths) == THINBENCH_OK);
   const thinbench_graph_path* list =
       thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path));
-  CHECK(count == 2 && list[0].length == 3 && list[0].node_count == 3 && list[1].edge_count == 0);
-  CHECK(thinbench_graph_paths_nodes(paths, &count, sizeof(uint32_t))[1] == 1 && count == 4);
+  CHECK(count == 1 && list[0].length == 3 && list[0].node_count == 3);
+  CHECK(list[0].first_point == -1 && list[0].last_point == -1);
+  CHECK(thinbench_graph_paths_nodes(paths, &count, sizeof(uint32_t))[1] == 1 && count == 3);
   CHECK(thinbench_graph_paths_edges(paths, &count, sizeof(uint32_t))[1] == 1 && count == 2);
   CHECK(thinbench_graph_paths_list(paths, &count, 1) == NULL && count == 0);
   CHECK(thinbench_graph_paths_list(NULL, &count, sizeof(thinbench_graph_path)) == NULL);
@@ -779,6 +780,33 @@ static void finds_paths_through_a_graph(void) {
   CHECK(paths == NULL);
   rejects(thinbench_cycles(3, NULL, 4, &paths), "links");
   thinbench_graph_paths_destroy(NULL);
+}
+
+static void finds_the_main_path_of_a_ring(void) {
+  static const uint8_t ring[3][3] = {{0, 1, 0}, {1, 0, 1}, {0, 1, 0}};
+  const thinbench_image image = view_of(&ring[0][0], 3, 3);
+  size_t edge_count = 0, pixel_count = 0, count = 0;
+  thinbench_graph* graph = NULL;
+  thinbench_graph_paths* paths = NULL;
+  CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
+  const thinbench_graph_edge* edges =
+      thinbench_graph_edges(graph, &edge_count, sizeof(thinbench_graph_edge));
+  const thinbench_pixel* pixels =
+      thinbench_graph_edge_pixels(graph, &pixel_count, sizeof(thinbench_pixel));
+  CHECK(thinbench_main_paths(1, edges, edge_count, pixels, pixel_count, NULL, &paths) ==
+        THINBENCH_OK);
+  const thinbench_graph_path* list =
+      thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path));
+  CHECK(count == 1 && list[0].node_count == 1 && list[0].edge_count == 1);
+  CHECK(list[0].first_point == -1 && pixels[list[0].last_point].y == 2);
+  thinbench_graph_paths_destroy(paths);
+  rejects(thinbench_main_paths(0, edges, edge_count, pixels, pixel_count, NULL, &paths),
+          "link 0: expected nodes below 0, got 0 and 0");
+  rejects(thinbench_main_paths(1, edges, edge_count, pixels, 2, NULL, &paths),
+          "edge 0: expected pixels below 2, got 3 from 0");
+  rejects(thinbench_main_paths(1, NULL, 1, pixels, pixel_count, NULL, &paths), "edges");
+  CHECK(paths == NULL);
+  thinbench_graph_destroy(graph);
 }
 
 static void finds_a_path_for_a_robot(void) {
@@ -929,6 +957,7 @@ int main(void) {
   fills_the_holes_of_labels();
   splits_a_graph();
   finds_paths_through_a_graph();
+  finds_the_main_path_of_a_ring();
   finds_a_path_for_a_robot();
   prunes_and_simplifies();
   takes_structs_of_later_versions();

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +22,17 @@ const TextImage kLines = {"............",  //
                           "............",  //
                           "..........#.",  //
                           "............"};
+
+const TextImage kRing = {".#####.",  //
+                         ".#...#.",  //
+                         ".#...#.",  //
+                         ".#####."};
+
+int count_of(const std::string& word, const std::string& text) {
+  int found = 0;
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
 
 class GraphCommand : public Commands {
  protected:
@@ -88,31 +101,67 @@ TEST_F(GraphCommand, lengths_and_widths_are_in_the_unit_of_the_spacing) {
       Json::parse(graph("--spacing 0.5,3 --unit mm --json --csv edges.csv --geojson graph.json"));
   EXPECT_EQ(found.at("spacing"), Json::parse("[0.5, 3.0]"));
   EXPECT_EQ(found.at("edges")[2].at("length"), 2.5);
-  expect_holds(bytes_of("edges.csv"), ",2.5,2.5,3.3333333333333335,3.5,1,5,mm,\n");
+  expect_holds(bytes_of("edges.csv"), ",2.5,2.5,2.5,3.3333333333333335,3.5,1,5,mm,\n");
   const Json features = Json::parse(bytes_of("graph.json")).at("features");
   EXPECT_EQ(features[7].at("geometry").at("coordinates"),
             Json::parse("[[2.75, 10.5], [5.25, 10.5]]"));
 }
 
 TEST_F(GraphCommand, lists_the_main_path_of_each_component) {
-  expect_holds(graph("--main-path"), "main path 1: node ");
+  expect_holds(graph("--main-path"), "main path 1: node 2 to node 4, length 9.00\n");
   const Json paths = Json::parse(graph("--main-path --json")).at("main_paths");
   ASSERT_EQ(paths.size(), 2U);
-  EXPECT_EQ(paths[0].at("nodes").size(), paths[0].at("edges").size() + 1);
+  EXPECT_EQ(paths[0], Json::parse(R"({"id": 1, "from": 2, "to": 4, "length": 9, "nodes": [2, 3, 4],
+                                      "edges": [2, 3], "points": [[1, 3], [10, 3]]})"));
   EXPECT_FALSE(Json::parse(graph("--json")).contains("main_paths"));
+}
+
+TEST_F(GraphCommand, main_paths_of_rings_begin_or_end_within_edges) {
+  write_grey("in.png", image_of(kRing).view());
+  expect_holds(graph("--foreground bright --main-path"),
+               "main path 1: node 1 to edge 1 at (5, 3), length 7.00\n");
+  const Json found = Json::parse(
+      graph("--foreground bright --main-path --json --geojson ring.json --overlay ring.svg "
+            "--tolerance 0"));
+  EXPECT_EQ(found.at("main_paths")[0],
+            Json::parse(R"({"id": 1, "from": 1, "to": null, "length": 7, "nodes": [1],
+                            "edges": [1], "points": [[1, 0], [5, 0], [5, 3]]})"));
+  const Json features = Json::parse(bytes_of("ring.json")).at("features");
+  ASSERT_EQ(features.size(), 3U);
+  EXPECT_EQ(features[2].at("geometry").at("type"), "LineString");
+  EXPECT_EQ(features[2].at("properties"),
+            Json::parse(R"({"id": 1, "from": 1, "to": null, "length": 7, "kind": "main path"})"));
+  EXPECT_EQ(count_of("<polyline ", bytes_of("ring.svg")), 2) << "the edge and the path";
+}
+
+TEST_F(GraphCommand, smoothed_lengths_are_those_of_the_polylines) {
+  write_grey("in.png", image_of({"###......", "...###...", "......###"}).view());
+  const Json edge =
+      Json::parse(graph("--json --csv edges.csv --summary branches.csv")).at("edges")[0];
+  EXPECT_DOUBLE_EQ(edge.at("smoothed_length"), std::hypot(8, 2));
+  expect_holds(bytes_of("edges.csv"), ",8.82842712474619,8.246211251235321,8.246211251235321,");
+  expect_holds(first_line(bytes_of("branches.csv")), ",tortuosity,smoothed-length,width-mean,");
+  expect_holds(bytes_of("branches.csv"), ",8.246211251235321,2,2,2,2\n");
+}
+
+TEST_F(GraphCommand, writes_the_ids_of_edges_as_labels) {
+  graph("--edge-labels edges.tif");
+  const LabelPixels labels = read_labels(read_input("edges.tif"));
+  EXPECT_EQ(labels.view().row(1)[5], 1);
+  EXPECT_EQ(labels.view().row(3)[1], 2);
+  EXPECT_EQ(labels.view().row(3)[5], 0) << "the junction";
+  EXPECT_EQ(labels.view().row(3)[6], 3);
+  EXPECT_EQ(labels.view().row(6)[10], 0) << "no edge";
+  expect_rejected({{2, "graph in.png --edge-labels edges.jpg", {"edges.jpg"}},
+                   {2, "graph in.png --csv a.png --edge-labels a.png", {"give each its own"}}});
 }
 
 TEST_F(GraphCommand, draws_every_node_and_edge) {
   graph("--overlay graph.svg");
   const std::string text = bytes_of("graph.svg");
-  const auto count = [&](const std::string& word) {
-    int found = 0;
-    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++found;
-    return found;
-  };
-  EXPECT_EQ(count("<polyline "), 3);
-  EXPECT_EQ(count("<circle "), 5);
-  EXPECT_EQ(count("data:image/png;base64,iVBORw0KGgo"), 1);
+  EXPECT_EQ(count_of("<polyline ", text), 3);
+  EXPECT_EQ(count_of("<circle ", text), 5);
+  EXPECT_EQ(count_of("data:image/png;base64,iVBORw0KGgo", text), 1);
 }
 
 TEST_F(GraphCommand, thins_the_image_unless_told_otherwise) {
@@ -146,7 +195,7 @@ TEST_F(GraphCommand, widths_without_background_are_null_and_empty) {
   write_grey("in.png", filled_image(9, 1, 255).view());
   const Json found = Json::parse(graph("--foreground bright --json --csv edges.csv"));
   EXPECT_TRUE(found.at("edges")[0].at("width_min").is_null()) << found;
-  expect_holds(bytes_of("edges.csv"), ",8,8,,,,,,\n");
+  expect_holds(bytes_of("edges.csv"), ",8,8,8,,,,,,\n");
 }
 
 TEST_F(GraphCommand, rejects_options_with_what_was_given) {

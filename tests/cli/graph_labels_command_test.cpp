@@ -105,9 +105,9 @@ TEST_F(GraphLabelsCommand, summary_has_the_columns_of_skan_and_the_label) {
   EXPECT_EQ(lines_of("table.csv").at(0),
             "skeleton-id,node-id-src,node-id-dst,branch-distance,branch-type,image-coord-src-0,"
             "image-coord-src-1,image-coord-dst-0,image-coord-dst-1,coord-src-0,coord-src-1,"
-            "coord-dst-0,coord-dst-1,euclidean-distance,tortuosity,width-mean,width-median,"
-            "width-min,width-max,label");
-  EXPECT_EQ(lines_of("table.csv").at(1), "0,0,1,6,0,1,9,4,9,2,9,8,9,6,1,2,2,2,2,7");
+            "coord-dst-0,coord-dst-1,euclidean-distance,tortuosity,smoothed-length,width-mean,"
+            "width-median,width-min,width-max,label");
+  EXPECT_EQ(lines_of("table.csv").at(1), "0,0,1,6,0,1,9,4,9,2,9,8,9,6,1,6,2,2,2,2,7");
 }
 
 TEST_F(GraphLabelsCommand, widths_are_those_of_the_labels_of_another_image) {

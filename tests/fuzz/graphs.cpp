@@ -1,6 +1,8 @@
-// Graphs, pruning and polylines of any image equal those of plain methods, and the graphs of labels
-// a loop. Widths are those along the lines. Graphs made from graphs keep what they promise.
+// Graphs, pruning, main paths and polylines of any image equal those of plain methods, and the
+// graphs of labels a loop. Widths are those along the lines. Graphs made from graphs keep what they
+// promise.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -61,6 +63,18 @@ void check_pruning(ByteSource& input, const ByteImage& image, const View<const d
   must(equal(expected.view(), to), "not the pruned image of the plain method");
 }
 
+void check_main_paths(const ConstImageView& image, const Graph& graph, const Spacing& spacing) {
+  if (graph.node_pixels.size() + graph.edge_pixels.size() > 100) return;  // all pairs of pixels
+  const std::vector<GraphPath> paths = main_paths(graph, spacing);
+  const std::vector<reference::MainPath> expected = reference::main_paths(image, spacing);
+  must(paths.size() == expected.size(), "another number of main paths");
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const double difference = std::abs(paths[i].length - expected[i].length);
+    must(difference <= 1e-12 * expected[i].length, "another main path");
+    must(!points_of(graph, paths[i], spacing).empty(), "a path without pixels");
+  }
+}
+
 void check_graph(ByteSource& input) {
   const DrawnSize size = draw_size(input);
   const Execution execution = draw_execution(input);
@@ -73,6 +87,7 @@ void check_graph(ByteSource& input) {
   const View<double> of_image = {numbers.data(), size.width, size.height};
   distances(image.view(), of_image, spacing, execution);
   check_edges(input, graph, of_image);
+  check_main_paths(image.view(), graph, spacing);
   check_pruning(input, image, of_image, spacing, execution);
 }
 

@@ -1,9 +1,11 @@
 #include "thinbench/graph_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -158,6 +160,55 @@ TEST(Branches, tells_branches_by_what_they_lead_between) {
   EXPECT_DOUBLE_EQ(cycle.length, 2 + 4 * std::numbers::sqrt2);
   EXPECT_EQ(cycle.chord, 0);
   EXPECT_TRUE(std::isnan(cycle.tortuosity));
+}
+
+std::vector<std::string> labels_text(const Graph& graph, Index width, Index height) {
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height), 77);
+  edge_labels(graph, {labels.data(), width, height});
+  std::vector<std::string> lines;
+  for (Index y = 0; y < height; ++y) {
+    lines.emplace_back();
+    for (Index x = 0; x < width; ++x) {
+      const auto label = static_cast<std::size_t>(labels[static_cast<std::size_t>(y * width + x)]);
+      lines.back() += ".123456789?"[std::min<std::size_t>(label, 10)];
+    }
+  }
+  return lines;
+}
+
+TEST(EdgeLabels, tell_lines_apart_that_meet_at_a_junction) {
+  const TextImage tee = {"###.",  //
+                         ".#..",  //
+                         ".#.#"};
+  EXPECT_EQ(labels_text(graph_of(tee), 4, 3), (TextImage{"1.2.",  //
+                                                         ".3..",  //
+                                                         ".3.."}));
+  const TextImage ring = {".#.",  //
+                          "#.#",  //
+                          ".#."};
+  EXPECT_EQ(labels_text(graph_of(ring), 3, 3), (TextImage{".1.",  //
+                                                          "1.1",  //
+                                                          ".1."}));
+}
+
+TEST(EdgeLabels, of_a_drawing_are_those_of_its_pixels) {
+  const Graph graph = graph_of(kDrawn);
+  const std::vector<std::string> labels = labels_text(graph, 9, 5);
+  for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
+    for (const auto [x, y] : graph.pixels_of(graph.edges[edge])) {
+      EXPECT_EQ(labels[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)],
+                static_cast<char>('1' + edge));
+    }
+  }
+}
+
+TEST(EdgeLabels, need_room_for_the_graph) {
+  std::vector<std::int32_t> labels(8, 77);
+  EXPECT_EQ(rejection_of([&] {
+              edge_labels(graph_of({"###"}), {labels.data(), 2, 4});
+            }),
+            "destination: smaller than the image of the graph");
+  EXPECT_EQ(labels, std::vector<std::int32_t>(8, 77));
 }
 
 TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {

@@ -1,13 +1,20 @@
 #include "thinbench/graph_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "graph.hpp"
+#include "graph/main_paths.hpp"
+#include "support/made_image.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
 
@@ -79,6 +86,74 @@ void must_lead_along(const GraphPath& path, const Links& links, bool is_closed) 
   ASSERT_EQ(path.length, length);
 }
 
+/// Links with points at whole positions.
+struct PointedLinks {
+  std::uint32_t nodes;
+  Links links;
+  std::vector<std::vector<double>> points;
+
+  PointedLinks(std::uint32_t count, Links list, std::mt19937& random)
+      : nodes(count), links(std::move(list)), points(links.size()) {
+    const auto rarity = 1 + random() % 3;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      for (int position = 1; position < links[i].length; ++position) {
+        if (random() % rarity == 0) points[i].push_back(position);
+      }
+    }
+  }
+
+  /// Every point a node, after the others, in the order of the links.
+  [[nodiscard]] std::pair<std::uint32_t, Links> split() const {
+    std::uint32_t count = nodes;
+    Links pieces;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      std::uint32_t node = links[i].from;
+      double done = 0;
+      for (const double position : points[i]) {
+        pieces.push_back({node, count, position - done});
+        node = count++;
+        done = position;
+      }
+      pieces.push_back({node, links[i].to, links[i].length - done});
+    }
+    return {count, pieces};
+  }
+
+  /// The number of a point among the nodes of split().
+  [[nodiscard]] std::uint32_t number_of(std::uint32_t link, std::uint32_t point) const {
+    std::uint32_t number = nodes + point;
+    for (std::uint32_t i = 0; i < link; ++i) number += static_cast<std::uint32_t>(points[i].size());
+    return number;
+  }
+
+  /// From a node to a point.
+  [[nodiscard]] double part(std::uint32_t node, std::uint32_t link, std::uint32_t point) const {
+    const auto& [from, to, length] = links[link];
+    const double position = points[link].at(point);
+    if (from == to) return std::min(position, length - position);
+    return node == from ? position : length - position;
+  }
+};
+
+/// Whether nodes, edges and points are those of a path of this length.
+void must_lead_along(GraphPath path, const PointedLinks& graph) {
+  if (path.nodes.empty()) {
+    const auto& points = graph.points[path.edges.at(0)];
+    ASSERT_EQ(path.edges.size(), 1U);
+    ASSERT_EQ(path.length, points.at(*path.last_point) - points.at(*path.first_point));
+    return;
+  }
+  if (path.first_point) {
+    path.length -= graph.part(path.nodes.front(), path.edges.front(), *path.first_point);
+    path.edges.erase(path.edges.begin());
+  }
+  if (path.last_point) {
+    path.length -= graph.part(path.nodes.back(), path.edges.back(), *path.last_point);
+    path.edges.pop_back();
+  }
+  must_lead_along(path, graph.links, false);
+}
+
 /// The first pair of nodes, in order, of the component of a node that is farthest apart.
 GraphPath farthest_apart(std::uint32_t node, std::uint32_t nodes, AllDistances& distances) {
   GraphPath farthest = {-1, {}, {}};
@@ -93,29 +168,171 @@ GraphPath farthest_apart(std::uint32_t node, std::uint32_t nodes, AllDistances& 
   return farthest;
 }
 
-void must_be_main_paths(std::uint32_t nodes, const Links& links) {
-  AllDistances distances(nodes, links);
-  const std::vector<GraphPath> paths = main_paths(nodes, links);
-  const Numbers components = components_of(nodes, links);
-  std::uint32_t count = 0;
-  for (std::uint32_t node = 0; node < nodes; ++node) {
-    if (components[node] != count) continue;
-    const GraphPath& path = paths.at(count++);
-    must_lead_along(path, links, false);
-    const GraphPath expected = farthest_apart(node, nodes, distances);
+void must_be_main_paths(const PointedLinks& graph) {
+  const auto [count, pieces] = graph.split();
+  AllDistances distances(count, pieces);
+  const std::vector<GraphPath> paths = detail::main_paths(
+      graph.nodes, graph.links, [&](std::uint32_t link) { return graph.points[link]; });
+  const Numbers components = components_of(graph.nodes, graph.links);
+  std::uint32_t component = 0;
+  for (std::uint32_t node = 0; node < graph.nodes; ++node) {
+    if (components[node] != component) continue;
+    const GraphPath& path = paths.at(component++);
+    ASSERT_NO_FATAL_FAILURE(must_lead_along(path, graph));
+    const GraphPath expected = farthest_apart(node, count, distances);
     ASSERT_EQ(path.length, expected.length);
-    ASSERT_EQ(path.nodes.front(), expected.nodes.front());
-    ASSERT_EQ(path.nodes.back(), expected.nodes.back());
+    ASSERT_EQ(path.first_point ? graph.number_of(path.edges.front(), *path.first_point)
+                               : path.nodes.front(),
+              expected.nodes.front());
+    ASSERT_EQ(
+        path.last_point ? graph.number_of(path.edges.back(), *path.last_point) : path.nodes.back(),
+        expected.nodes.back());
   }
-  ASSERT_EQ(paths.size(), count);
+  ASSERT_EQ(paths.size(), component);
 }
 
 TEST(MainPaths, are_the_first_of_the_longest_shortest_paths_of_random_graphs_and_trees) {
   std::mt19937 random(1);
   for (int i = 0; i < 3000; ++i) {
     const auto nodes = static_cast<std::uint32_t>(1 + random() % 24);
-    ASSERT_NO_FATAL_FAILURE(must_be_main_paths(nodes, random_links(nodes, random))) << i;
-    ASSERT_NO_FATAL_FAILURE(must_be_main_paths(nodes, random_tree(nodes, random))) << i;
+    const PointedLinks graph(nodes, random_links(nodes, random), random);
+    ASSERT_NO_FATAL_FAILURE(must_be_main_paths(graph)) << i;
+    const PointedLinks tree(nodes, random_tree(nodes, random), random);
+    ASSERT_NO_FATAL_FAILURE(must_be_main_paths(tree)) << i;
+  }
+}
+
+TEST(MainPaths, are_those_of_random_graphs_of_few_nodes_and_long_links) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 1000; ++i) {
+    const auto nodes = static_cast<std::uint32_t>(1 + random() % 4);
+    Links links = random_links(nodes, random);
+    for (Link& link : links) link.length = static_cast<double>(random() % 20);
+    ASSERT_NO_FATAL_FAILURE(must_be_main_paths(PointedLinks(nodes, links, random))) << i;
+  }
+}
+
+/// The number of the point where a path begins or ends: nodes, then pixels of edges.
+std::size_t number_of(const Graph& graph, std::uint32_t node) {
+  EXPECT_LT(node, graph.nodes.size());
+  return node;
+}
+std::size_t number_of(const Graph& graph, std::uint32_t edge, std::uint32_t point) {
+  EXPECT_LT(point, graph.edges.at(edge).pixel_count);
+  return graph.nodes.size() + graph.edges[edge].first_pixel + point;
+}
+
+/// The length of the steps between these pixels; within a node they have none.
+double length_along(const Graph& graph, const std::vector<Pixel>& pixels, const Spacing& spacing) {
+  std::map<std::pair<int, int>, std::size_t> nodes;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    for (const Pixel p : graph.pixels_of(graph.nodes[i])) nodes[{p.x, p.y}] = i;
+  }
+  double length = 0;
+  for (std::size_t i = 1; i < pixels.size(); ++i) {
+    const Pixel a = pixels[i - 1], b = pixels[i];
+    const auto one = nodes.find({a.x, a.y}), other = nodes.find({b.x, b.y});
+    if (one != nodes.end() && other != nodes.end() && one->second == other->second) continue;
+    EXPECT_EQ(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)), 1);
+    length += std::hypot((a.x - b.x) * spacing.x, (a.y - b.y) * spacing.y);
+  }
+  return length;
+}
+
+void must_be_those_of_all_pixels(const ConstImageView& image, const Spacing& spacing = {}) {
+  const Graph graph = skeleton_graph(image);
+  const std::vector<GraphPath> paths = main_paths(graph, spacing);
+  const std::vector<reference::MainPath> expected = reference::main_paths(image, spacing);
+  ASSERT_EQ(paths.size(), expected.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const GraphPath& path = paths[i];
+    const double rounding = 1e-12 * expected[i].length;
+    ASSERT_NEAR(path.length, expected[i].length, rounding);
+    ASSERT_NEAR(length_along(graph, points_of(graph, path, spacing), spacing), path.length,
+                rounding);
+    ASSERT_EQ(path.first_point ? number_of(graph, path.edges.front(), *path.first_point)
+                               : number_of(graph, path.nodes.front()),
+              expected[i].first);
+    ASSERT_EQ(path.last_point ? number_of(graph, path.edges.back(), *path.last_point)
+                              : number_of(graph, path.nodes.back()),
+              expected[i].last);
+  }
+}
+
+TEST(MainPaths, lead_between_the_farthest_of_all_pixels_of_every_image_of_4_by_4) {
+  for (unsigned code = 0; code < 1U << 16; ++code) {
+    const ByteImage image =
+        image_by(4, 4, [=](Index x, Index y) { return code >> (4 * y + x) & 1; });
+    ASSERT_NO_FATAL_FAILURE(must_be_those_of_all_pixels(image.view())) << code;
+  }
+}
+
+TEST(MainPaths, lead_between_the_farthest_of_all_pixels_of_random_skeletons) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 600; ++i) {
+    const auto width = static_cast<Index>(1 + random() % 14), height = width + i % 3;
+    const auto rarity = static_cast<unsigned>(3 + random() % 12);
+    ByteImage image =
+        image_by(width, height, [&](Index, Index) { return random() % rarity == 0 ? 0 : 255; });
+    thin(Rule::guo_hall, image.view(), image.view());
+    ASSERT_NO_FATAL_FAILURE(must_be_those_of_all_pixels(image.view())) << i;
+    ASSERT_NO_FATAL_FAILURE(must_be_those_of_all_pixels(image.view(), {.x = 2, .y = 0.3})) << i;
+  }
+}
+
+TEST(MainPaths, of_a_ring_is_half_of_it) {
+  const Graph ring = skeleton_graph(image_of({".###.",  //
+                                              "#...#",  //
+                                              "#...#",  //
+                                              "#...#",  //
+                                              ".###."})
+                                        .view());
+  const GraphPath path = main_paths(ring).at(0);
+  EXPECT_DOUBLE_EQ(path.length, 4 + 2 * std::sqrt(2.0));
+  EXPECT_EQ(path.nodes, (Numbers{0}));
+  EXPECT_EQ(path.edges, (Numbers{0}));
+  EXPECT_FALSE(path.first_point.has_value());
+  EXPECT_EQ(ring.pixels_of(ring.edges[0])[path.last_point.value()], (Pixel{3, 4}));
+  EXPECT_EQ(points_of(ring, path),
+            (std::vector<Pixel>{{1, 0}, {2, 0}, {3, 0}, {4, 1}, {4, 2}, {4, 3}, {3, 4}}));
+}
+
+TEST(MainPaths, of_a_ring_with_a_tail_leads_from_its_end_to_the_other_side) {
+  const Graph graph = skeleton_graph(image_of({"..#....",  //
+                                               ".#.#...",  //
+                                               "#...###",  //
+                                               ".#.#...",  //
+                                               "..#...."})
+                                         .view());
+  const GraphPath path = main_paths(graph).at(0);
+  EXPECT_DOUBLE_EQ(path.length, 2 + 4 * std::sqrt(2.0));
+  EXPECT_EQ(path.nodes.size(), 2U);
+  EXPECT_EQ(path.edges.size(), 2U);
+  std::vector<Pixel> points = points_of(graph, path);
+  if (path.first_point) std::ranges::reverse(points);
+  EXPECT_EQ(points.front(), (Pixel{6, 2}));
+  EXPECT_EQ(points.back(), (Pixel{0, 2}));
+}
+
+TEST(MainPaths, of_two_rings_and_a_bar_begins_and_ends_within_edges) {
+  const Graph graph = skeleton_graph(image_of({".#.....#.",  //
+                                               "#.#####.#",  //
+                                               ".#.....#."})
+                                         .view());
+  const GraphPath path = main_paths(graph).at(0);
+  EXPECT_DOUBLE_EQ(path.length, 4 + 4 * std::sqrt(2.0));
+  EXPECT_TRUE(path.first_point.has_value() && path.last_point.has_value());
+  EXPECT_EQ(points_of(graph, path).size(), 9U);
+}
+
+TEST(PointsOf, rejects_paths_of_other_graphs) {
+  const Graph line = skeleton_graph(image_of({"###"}).view());
+  for (const GraphPath& path :
+       {GraphPath{0, {2}, {}}, GraphPath{0, {0}, {1}}, GraphPath{0, {0}, {0}, {}, 1},
+        GraphPath{0, {0}, {0}, 1, {}}, GraphPath{0, {0}, {}, 0, {}}, GraphPath{},
+        GraphPath{0, {}, {0}, 0, {}}, GraphPath{0, {0}, {0}, 0, 0}, GraphPath{0, {0}, {0, 0}}}) {
+    EXPECT_EQ(rejection_of([&] { static_cast<void>(points_of(line, path)); }),
+              "path: expected one of the graph");
   }
 }
 
@@ -124,18 +341,27 @@ TEST(MainPaths, of_a_comb_leads_from_the_first_tooth_to_the_last) {
                                                "#...#...#",  //
                                                "#########"})
                                          .view());
-  const std::vector<GraphPath> paths = main_paths(4, links_of(graph));
+  const std::vector<GraphPath> paths = main_paths(graph);
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_DOUBLE_EQ(paths[0].length, 12);
   EXPECT_EQ(paths[0].nodes, (Numbers{0, 3, 2}));
-  EXPECT_DOUBLE_EQ(main_paths(4, links_of(graph, {.x = 3, .y = 0.5}))[0].length, 26);
+  EXPECT_DOUBLE_EQ(main_paths(graph, {.x = 3, .y = 0.5})[0].length, 26);
 }
 
-TEST(MainPaths, of_nodes_without_links_are_these) {
-  EXPECT_TRUE(main_paths(0, {}).empty());
-  const std::vector<GraphPath> paths = main_paths(2, {});
+TEST(MainPaths, of_nodes_without_edges_are_these) {
+  EXPECT_TRUE(main_paths(Graph()).empty());
+  const Graph graph = skeleton_graph(image_of({"#.#"}).view());
+  const std::vector<GraphPath> paths = main_paths(graph);
   ASSERT_EQ(paths.size(), 2U);
   EXPECT_EQ(paths[1], (GraphPath{0, {1}, {}}));
+  EXPECT_EQ(points_of(graph, paths[1]), (std::vector<Pixel>{{2, 0}}));
+}
+
+TEST(MainPaths, reject_edges_without_their_pixels) {
+  Graph graph = skeleton_graph(image_of({"###"}).view());
+  graph.edge_pixels.clear();
+  EXPECT_EQ(rejection_of([&] { static_cast<void>(main_paths(graph)); }),
+            "edge 0: expected pixels below 0, got 1 from 0");
 }
 
 TEST(Cycles, are_as_many_as_links_beyond_a_forest_and_each_has_its_own_longest_link) {
@@ -203,7 +429,7 @@ TEST(ShortestPath, is_found_where_its_length_overflows) {
 
 TEST(GraphPaths, reject_links_and_nodes_that_are_not_there) {
   const auto rejected = [](const Links& links) {
-    return rejection_of([&] { static_cast<void>(main_paths(2, links)); });
+    return rejection_of([&] { static_cast<void>(cycles(2, links)); });
   };
   EXPECT_EQ(rejected({{0, 1, 1}, {0, 2, 1}}), "link 1: expected nodes below 2, got 0 and 2");
   EXPECT_EQ(rejected({{0, 1, -1}}),

@@ -145,5 +145,12 @@ TEST(Polyline, of_a_wave_of_growing_amplitude_takes_a_small_part_of_the_plain_me
   EXPECT_LT(processor_seconds([&] { return polyline(line, 0.5); }), plain / 2);
 }
 
+TEST(Polyline, has_the_length_of_its_straight_lines) {
+  const Line points = {{0, 0}, {3, 4}, {3, 4}, {6, 0}};
+  EXPECT_DOUBLE_EQ(length_of(points), 10);
+  EXPECT_DOUBLE_EQ(length_of(points, {.x = 4, .y = 1.25}), 26);
+  EXPECT_EQ(length_of(Line{}), 0);
+}
+
 }  // namespace
 }  // namespace thinbench

@@ -149,7 +149,8 @@ def test_geojson_has_transformed_points_and_lines():
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
     assert points[1]["properties"] == {"id": 2, "kind": "junction", "degree": 3}
-    assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2, "chord": 2}
+    assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2,
+                                      "smoothed_length": 2, "chord": 2}
 
 
 def test_blocks_of_an_image_that_is_not_thin_are_reported():
@@ -201,6 +202,107 @@ def test_there_is_a_main_path_for_each_component_and_none_without_nodes():
     graph = thinbench.skeleton_graph(drawn("##.#", "....", "###."))
     assert [path.length for path in graph.main_paths()] == [1, 0, 2]
     assert graph.main_path().pixels.tolist() == [[2, 0], [2, 1], [2, 2]]
+
+
+RING = drawn(".#####.",
+             ".#...#.",
+             ".#...#.",
+             ".#####.")
+
+
+def test_the_main_path_of_a_ring_is_half_of_it_and_ends_within_its_edge():
+    graph = thinbench.skeleton_graph(np.pad(RING, 1), np.ones((6, 9), bool) & (np.arange(6) > 0)[:, None])
+    path = graph.main_path()
+    assert path.length == 7 and path.nodes.tolist() == [0] and path.edges.tolist() == [0]
+    assert (path.start, path.stop) == (None, 7) and graph.edge_pixels(0)[path.stop].tolist() == [4, 6]
+    assert path.pixels.tolist() == [[1, x] for x in range(2, 7)] + [[y, 6] for y in range(2, 5)]
+    assert graph.path_widths(path).tolist() == [2] * 5 + [4, 6, 8]
+    with pytest.raises(ValueError, match="path_widths: expected a skeleton_graph"):
+        thinbench.skeleton_graph(RING).path_widths(path)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_main_paths_are_those_of_scipy_on_pixels(seed):
+    random = np.random.RandomState(seed)
+    skeleton = thinbench.thin(random.rand(12, 14) < 0.6 + seed / 100)
+    spacing = (1, 1) if seed % 2 else (0.3, 2)
+    graph = thinbench.skeleton_graph(skeleton, spacing=spacing, not_thin="ignore")
+    for part in (graph, graph.subgraph(np.arange(len(graph.edges["from"]))[::-1])):
+        for path in part.main_paths():
+            moves = np.abs(np.diff(path.pixels, axis=0))
+            assert (moves.max(axis=1, initial=0) >= 1).all()
+        found = sorted(path.length for path in part.main_paths() if len(path.edges))
+        np.testing.assert_allclose(found, sorted(longest_between_pixels(part)))
+
+
+def longest_between_pixels(graph):
+    """Of each component with edges."""
+    split = {}
+    ends, lengths = [], []
+    for edge, (first, last) in enumerate(zip(graph.edges["from"], graph.edges["to"])):
+        chain = graph.edge_pixels(edge)
+        points = [(first,), *((edge, i) for i in range(1, len(chain) - 1)), (last,)]
+        numbers = [split.setdefault(point, len(split)) for point in points]
+        ends += list(zip(numbers, numbers[1:]))
+        lengths += np.hypot(*(np.diff(chain, axis=0) * graph.spacing).T).tolist()
+    distances = np.full((len(split),) * 2, np.inf)
+    for (a, b), length in zip(ends, lengths):
+        distances[a, b] = distances[b, a] = min(distances[a, b], length if a != b else 0)
+    distances = csgraph.floyd_warshall(csgraph.csgraph_from_dense(distances, null_value=np.inf))
+    count, labels = csgraph.connected_components(distances < np.inf)
+    return [distances[np.ix_(labels == i, labels == i)].max() for i in range(count)]
+
+
+def test_edge_labels_tell_lines_apart_that_meet_at_a_junction():
+    graph = thinbench.skeleton_graph(TREE)
+    expected = np.zeros(TREE.shape, int)
+    for edge in range(3):
+        expected[tuple(graph.edge_pixels(edge).T)] = edge + 1
+    expected[tuple(graph.node_pixels(2).T)] = 0
+    labels = graph.edge_labels()
+    assert labels.dtype == np.int32 and graph.shape == TREE.shape
+    np.testing.assert_array_equal(labels, expected)
+    assert len(np.unique(labels)) == 4 and ndimage.label(labels > 0, np.ones((3, 3)))[1] == 1
+    np.testing.assert_array_equal(thinbench.skeleton_graph(RING).edge_labels(), RING)
+    assert graph.subgraph([2]).edge_labels()[2, 5] == 1
+    assert thinbench.skeleton_graph(np.zeros((2, 3), bool)).edge_labels().tolist() == [[0] * 3] * 2
+
+
+def test_smoothed_lengths_are_those_of_the_polylines():
+    graph = thinbench.skeleton_graph(drawn("###......", "...###...", "......###"), spacing=(2, 1))
+    assert graph.smoothed_lengths().tolist() == [np.hypot(8, 4)]
+    np.testing.assert_allclose(graph.smoothed_lengths(0), graph.edges["length"])
+    table = graph.summary(tolerance=0)
+    assert table["smoothed-length"].tolist() == graph.smoothed_lengths(0).tolist()
+    tree = thinbench.skeleton_graph(TREE)
+    lines = tree.polylines(0.5)
+    np.testing.assert_allclose(tree.smoothed_lengths(0.5),
+                               [np.hypot(*np.diff(line, axis=0).T).sum() for line in lines])
+    assert len(thinbench.skeleton_graph(np.zeros((2, 3), bool)).smoothed_lengths()) == 0
+
+
+def test_parents_lead_to_the_root_of_a_tree():
+    graph = thinbench.skeleton_graph(np.vstack([TREE, np.zeros_like(TREE[:1]), TREE[:1]]))
+    assert graph.parents(3)[:4].tolist() == [2, 2, 3, -1]
+    assert graph.parents(0).tolist() == [-1, 2, 0, 2, -1, -1]
+    with pytest.raises(ValueError, match="root: expected the number of a node from 0 to 5, got 6"):
+        graph.parents(6)
+    eight = thinbench.skeleton_graph(EIGHT)
+    with pytest.raises(ValueError, match="root: expected a node of a tree, got 1 in a component with 2 cycles"):
+        eight.parents(1)
+    assert (np.sort(eight.open_cycles().parents(1)) >= 0).sum() == len(eight.nodes["kind"]) - 1
+
+
+def test_the_summary_has_means_and_deviations_of_an_image_along_edges():
+    graph = thinbench.skeleton_graph(TREE)
+    image = np.random.RandomState(3).rand(*TREE.shape)
+    table = graph.summary(image=image)
+    values = [image[tuple(graph.edge_pixels(edge).T)] for edge in range(3)]
+    np.testing.assert_allclose(table["mean-pixel-value"], [np.mean(v) for v in values])
+    np.testing.assert_allclose(table["stdev-pixel-value"], [np.std(v) for v in values])
+    assert "mean-pixel-value" not in graph.summary()
+    with pytest.raises(ValueError, match=r"image: expected the skeleton's shape \(5, 11\), got \(2, 2\)"):
+        graph.summary(image=image[:2, :2])
 
 
 def test_cycles_close_by_their_longest_edge():

@@ -21,6 +21,7 @@
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "support/whole_file.hpp"
+#include "thinbench/graph_parts.hpp"
 
 namespace thinbench {
 namespace {
@@ -40,6 +41,7 @@ struct GraphCommandOptions {
   std::string summary;
   std::string geojson;
   std::string overlay;
+  std::string edge_labels;
 
   /// Neither a transform nor a spacing was given, so that those of a map are taken.
   [[nodiscard]] bool has_plain_coordinates() const {
@@ -65,12 +67,13 @@ void check_names(const GraphCommandOptions& options) {
     (options.has_labels ? check_deep_extension : check_extension)(options.out);
   }
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);
+  if (!options.edge_labels.empty()) check_deep_extension(options.edge_labels);
   check_streams(options.json, {options.out, options.overlay});
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }
   std::vector<std::string> outputs = {options.csv, options.summary, options.geojson,
-                                      options.overlay};
+                                      options.overlay, options.edge_labels};
   std::error_code ignored;
   const bool replaces = std::filesystem::equivalent(options.in, options.out, ignored);
   if (!replaces) outputs.push_back(options.out);
@@ -119,6 +122,13 @@ ByteImage image_of_widths(ByteImage binary, const GraphCommandOptions& options,
   return image;
 }
 
+void write_edge_labels(const std::string& path, const FoundGraph& found) {
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(found.width * found.height));
+  const LabelView view = {labels.data(), found.width, found.height};
+  edge_labels(found.graph, view);
+  write_labels(path, view);
+}
+
 void write_files(const GraphCommandOptions& options, const FoundGraph& found,
                  const ByteImage& grey) {
   if (!options.csv.empty()) write_whole_file(options.csv, csv_text(graph_json(found)));
@@ -128,6 +138,7 @@ void write_files(const GraphCommandOptions& options, const FoundGraph& found,
     write_whole_file(options.geojson, graph_geojson(found, transform));
   }
   if (!options.overlay.empty()) write_overlay(options.overlay, grey.view(), graph_overlay(found));
+  if (!options.edge_labels.empty()) write_edge_labels(options.edge_labels, found);
 }
 
 /// Where the list goes: not where an image goes.
@@ -246,6 +257,8 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
       ->needs(geojson)
       ->type_name("NUMBERS");
   add_overlay_option(app, options.overlay);
+  add("--edge-labels", options.edge_labels,
+      "Label image to write: the id of its edge at each pixel, 0 where edges meet");
   app.add_option("--out", options.out,
                  "Image to write: the skeleton, as pruned; - for PNG on standard output")
       ->check(not_empty())
@@ -293,7 +306,7 @@ Ends, junctions and isolated pixels are nodes; lines between them are edges. A c
 junctions has a node of its own. Along rows and columns a step has length 1, diagonally sqrt(2). The
 width of a line is twice the distance to the background of the image that was thinned; what is
 outside the image does not count as background. The main path of a component is the longest of the
-shortest paths between two of its nodes. Sides are at most 32767 pixels. Files are written one
+shortest paths between two of its nodes or pixels of edges. Sides are at most 32767 pixels. Files are written one
 after the other, each whole or not at all.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }

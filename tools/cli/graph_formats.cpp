@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -77,6 +78,7 @@ Json properties_of(const FoundGraph& found, std::size_t i) {
                      {"to", edge.to + 1},
                      {"pixels", edge.pixel_count},
                      {"length", length_of(edge, found.spacing)},
+                     {"smoothed_length", length_of(found.lines[i], found.spacing)},
                      {"chord", chord_of(edge, found.spacing)},
                      {"width_mean", width.mean},
                      {"width_median", width.median},
@@ -116,13 +118,59 @@ Json ids_of(const std::vector<std::uint32_t>& numbers) {
   return ids;
 }
 
+Json pixel_json(Pixel p) {
+  return {p.x, p.y};
+}
+
+/// What a main path has in every format: where it begins and ends within an edge there is no node.
+Json main_path_properties(const GraphPath& path, std::size_t i) {
+  return {{"id", i + 1},
+          {"from", path.first_point ? Json() : Json(path.nodes.front() + 1)},
+          {"to", path.last_point ? Json() : Json(path.nodes.back() + 1)},
+          {"length", path.length}};
+}
+
 Json main_paths_json(const FoundGraph& found) {
   Json paths = Json::array();
-  for (const GraphPath& path : found.main_paths) {
-    paths.push_back(
-        {{"length", path.length}, {"nodes", ids_of(path.nodes)}, {"edges", ids_of(path.edges)}});
+  for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
+    const GraphPath& path = found.main_paths[i];
+    paths.push_back(main_path_properties(path, i));
+    paths.back()["nodes"] = ids_of(path.nodes);
+    paths.back()["edges"] = ids_of(path.edges);
+    paths.back()["points"] = positions(found.main_lines[i], pixel_json);
   }
   return paths;
+}
+
+/// Where a main path begins or ends: "node 3", or "edge 2 at (14, 5)".
+std::string end_text(const FoundGraph& found, std::size_t i, bool is_first) {
+  const GraphPath& path = found.main_paths[i];
+  if (!(is_first ? path.first_point : path.last_point)) {
+    return fmt::format("node {}", (is_first ? path.nodes.front() : path.nodes.back()) + 1);
+  }
+  const Pixel p = is_first ? found.main_lines[i].front() : found.main_lines[i].back();
+  return fmt::format("edge {} at ({}, {})", (is_first ? path.edges.front() : path.edges.back()) + 1,
+                     p.x, p.y);
+}
+
+/// The edges that a path takes as a whole.
+std::span<const std::uint32_t> whole_edges(const GraphPath& path) {
+  const std::span<const std::uint32_t> edges = path.edges;
+  if (path.nodes.empty()) return {};
+  return edges.subspan(path.first_point ? 1 : 0, path.nodes.size() - 1);
+}
+
+/// What a path takes of the edges in which it begins and ends, as paths.
+std::vector<GraphPath> parts_of(const GraphPath& path) {
+  if (path.nodes.empty()) return {path};
+  std::vector<GraphPath> parts;
+  if (path.first_point) {
+    parts.push_back({0, {path.nodes.front()}, {path.edges.front()}, path.first_point});
+  }
+  if (path.last_point) {
+    parts.push_back({0, {path.nodes.back()}, {path.edges.back()}, {}, path.last_point});
+  }
+  return parts;
 }
 
 Json unit_json(const FoundGraph& found) {
@@ -147,9 +195,8 @@ std::string graph_list(const FoundGraph& found) {
     text += found.labels.empty() ? "\n" : fmt::format(", label {}\n", found.labels[edge.from]);
   }
   for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
-    const GraphPath& path = found.main_paths[i];
-    text += fmt::format("main path {}: node {} to {}, length {:.2f}\n", i + 1,
-                        path.nodes.front() + 1, path.nodes.back() + 1, path.length);
+    text += fmt::format("main path {}: {} to {}, length {:.2f}\n", i + 1, end_text(found, i, true),
+                        end_text(found, i, false), found.main_paths[i].length);
   }
   return text;
 }
@@ -166,7 +213,7 @@ Json graph_json(const FoundGraph& found) {
   Json edges = Json::array();
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     edges.push_back(properties_of(found, i));
-    edges.back()["points"] = positions(found.lines[i], [](Pixel p) { return Json{p.x, p.y}; });
+    edges.back()["points"] = positions(found.lines[i], pixel_json);
   }
   Json json = {{"file", found.page.file},        {"page", found.page.page},
                {"width", found.width},           {"height", found.height},
@@ -183,18 +230,21 @@ std::string graph_summary(const FoundGraph& found) {
   std::string text =
       "skeleton-id,node-id-src,node-id-dst,branch-distance,branch-type,image-coord-src-0,"
       "image-coord-src-1,image-coord-dst-0,image-coord-dst-1,coord-src-0,coord-src-1,coord-dst-0,"
-      "coord-dst-1,euclidean-distance,tortuosity,width-mean,width-median,width-min,width-max";
+      "coord-dst-1,euclidean-distance,tortuosity,smoothed-length,width-mean,width-median,width-min,"
+      "width-max";
   text += found.labels.empty() ? "\n" : ",label\n";
   const auto [dx, dy] = found.spacing;
   std::size_t i = 0;
   for (const Branch& row : branches(found.graph, found.spacing)) {
     const auto& [start, stop] = std::pair(row.start, row.stop);
-    const EdgeWidths& width = found.widths[i++];
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.component,
-                        row.from, row.to, row.length, static_cast<int>(row.type), start.y, start.x,
-                        stop.y, stop.x, start.y * dy, start.x * dx, stop.y * dy, stop.x * dx,
-                        row.chord, number(row.tortuosity), number(width.mean), number(width.median),
-                        number(width.min), number(width.max));
+    const EdgeWidths& width = found.widths[i];
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.component,
+                    row.from, row.to, row.length, static_cast<int>(row.type), start.y, start.x,
+                    stop.y, stop.x, start.y * dy, start.x * dx, stop.y * dy, stop.x * dx, row.chord,
+                    number(row.tortuosity), length_of(found.lines[i], found.spacing),
+                    number(width.mean), number(width.median), number(width.min), number(width.max));
+    ++i;
     text += found.labels.empty() ? "\n" : fmt::format(",{}\n", found.labels[row.from]);
   }
   return text;
@@ -219,6 +269,13 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
         "LineString", positions(found.lines[i], [&](Pixel p) { return position(p.x, p.y); }),
         properties_of(found, i)));
   }
+  for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
+    Json properties = main_path_properties(found.main_paths[i], i);
+    properties["kind"] = "main path";
+    features.push_back(feature(
+        "LineString", positions(found.main_lines[i], [&](Pixel p) { return position(p.x, p.y); }),
+        std::move(properties)));
+  }
   Json json = {
       {"type", "FeatureCollection"}, {"spacing", spacing_json(found)}, {"unit", unit_json(found)}};
   if (found.place && found.place->epsg != 0) {
@@ -241,12 +298,17 @@ Overlay graph_overlay(const FoundGraph& found) {
   constexpr OverlayColour line = {0xd9, 0x48, 0x0f}, main_line = {0xe0, 0x31, 0xc9};
   std::vector<bool> is_main(graph.edges.size());
   for (const GraphPath& path : found.main_paths) {
-    for (const std::uint32_t edge : path.edges) is_main[edge] = true;
+    for (const std::uint32_t edge : whole_edges(path)) is_main[edge] = true;
   }
   for (std::size_t i = 0; i < found.lines.size(); ++i) {
     overlay.lines.push_back({found.lines[i], is_main[i] ? main_line : line});
     overlay.lines.back().title =
         fmt::format("edge {}: length {:.2f}", i + 1, length_of(graph.edges[i], found.spacing));
+  }
+  for (const GraphPath& path : found.main_paths) {
+    for (const GraphPath& part : parts_of(path)) {
+      overlay.lines.push_back({points_of(graph, part, found.spacing), main_line});
+    }
   }
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& node = graph.nodes[i];

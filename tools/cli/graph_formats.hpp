@@ -29,6 +29,7 @@ struct FoundGraph {
   Spacing spacing;
   std::string unit;
   std::vector<GraphPath> main_paths;                 // of the components, if asked for
+  std::vector<std::vector<Pixel>> main_lines;        // polylines of these
   std::vector<std::int32_t> labels;                  // of the nodes, if the image has labels
   std::optional<GeoReference> place = std::nullopt;  // of GeoJSON, if the image is a map
 };
@@ -40,7 +41,7 @@ struct FoundGraph {
 /// A row for each edge with the column names of skan's summarize(): numbers of nodes and of
 /// skeletons, which are components, count from 0 there. A CSV file.
 [[nodiscard]] std::string graph_summary(const FoundGraph& found);
-/// A Point for each node, a LineString for each edge.
+/// A Point for each node, a LineString for each edge and each main path.
 [[nodiscard]] std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform);
 [[nodiscard]] Overlay graph_overlay(const FoundGraph& found);
 

@@ -41,15 +41,18 @@ FoundGraph described(Graph graph, const View<double>& distances, const ImagePage
   const Spacing& spacing = request.pruning.spacing;
   if (!request.nodes.empty()) graph = split_graph(graph, request.nodes);
   if (request.open_cycles) graph = open_cycles(graph, *request.open_cycles, spacing);
-  FoundGraph found = {page, distances.width, distances.height, {}, {},
-                      {},   spacing,         request.unit,     {}, {}};
+  FoundGraph found = {
+      page, distances.width, distances.height, {}, {}, {}, spacing, request.unit, {}, {}, {}};
   found.widths = edge_widths(graph, distances);
   for (const GraphEdge& edge : graph.edges) {
     found.lines.push_back(polyline(points_of(graph, edge), request.tolerance, spacing));
   }
   if (request.with_main_paths) {
-    found.main_paths =
-        main_paths(static_cast<std::uint32_t>(graph.nodes.size()), links_of(graph, spacing));
+    found.main_paths = main_paths(graph, spacing);
+    for (const GraphPath& path : found.main_paths) {
+      found.main_lines.push_back(
+          polyline(points_of(graph, path, spacing), request.tolerance, spacing));
+    }
   }
   found.graph = std::move(graph);
   return found;
@@ -84,7 +87,7 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
       ->check(real_number(0, no_limit))
       ->type_name("LENGTH");
   app.add_flag("--main-path", request.with_main_paths,
-               "Also the longest of the shortest paths of each component");
+               "Also the longest of the shortest paths between pixels of each component");
   app.add_option("--tolerance", request.tolerance,
                  "How far a line may be from the points that are listed for it")
       ->check(real_number(0, no_limit))

@@ -69,9 +69,9 @@ std::string edge_rows(const Json& found) {
     const Json &from = edge.at("from"), &to = edge.at("to"), &points = edge.at("points");
     rows += row_of({image, edge.at("id"), from, to, kind_of(from), kind_of(to), points.at(0),
                     points.at(points.size() - 1), edge.at("pixels"), edge.at("length"),
-                    edge.at("chord"), edge.at("width_mean"), edge.at("width_median"),
-                    edge.at("width_min"), edge.at("width_max"), found.at("unit"),
-                    edge.value("label", Json())});
+                    edge.at("smoothed_length"), edge.at("chord"), edge.at("width_mean"),
+                    edge.at("width_median"), edge.at("width_min"), edge.at("width_max"),
+                    found.at("unit"), edge.value("label", Json())});
   }
   return rows;
 }
@@ -99,7 +99,8 @@ std::string json_line(const Json& found) {
 
 std::string csv_head(bool is_graph) {
   return std::string("file,page,image_width,image_height,") +
-         (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,chord,"
+         (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,"
+                     "smoothed_length,chord,"
                      "width_mean,width_median,width_min,width_max,unit,label\n"
                    : "kind,id,enclosing_object,area,centre_x,centre_y,left,top,width,height\n");
 }

@@ -198,4 +198,9 @@ struct EdgeWidths {
                                                         double tolerance,
                                                         const Spacing& spacing = {});
 
+/// Of the straight lines between points, in the unit of the spacing: with those of polyline() a
+/// smoothed length of an edge, which depends less on its direction than that of its steps.
+[[nodiscard]] THINBENCH_API double length_of(std::span<const Pixel> points,
+                                             const Spacing& spacing = {});
+
 }  // namespace thinbench

@@ -8,6 +8,7 @@
 
 #include "thinbench/export.h"
 #include "thinbench/graph.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench {
 
@@ -44,6 +45,15 @@ struct GraphPlace {
 /// std::invalid_argument also for a graph without edges and for a point that is not finite.
 [[nodiscard]] THINBENCH_API GraphPlace nearest_place(const Graph& graph, double x, double y,
                                                      const Spacing& spacing = {});
+
+/// Writes to each pixel of an edge the number of the edge, counted from 1, and 0 to all others. A
+/// node with one edge belongs to it, such as an end or the first pixel of a closed line; where
+/// edges meet is 0. Lines that meet at a junction have labels of their own, though pixels beside
+/// the junction may be neighbours.
+///
+/// Throws std::invalid_argument also for an unsuitable view and for one that lacks a pixel of the
+/// graph; then nothing is written.
+THINBENCH_API void edge_labels(const Graph& graph, LabelView destination);
 
 /// What an edge leads between. Nodes that are no ends count as junctions.
 enum class BranchType : std::int32_t { end_end, end_junction, junction_junction, cycle };
