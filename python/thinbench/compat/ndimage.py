@@ -211,30 +211,27 @@ def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float
 def _nearest(foreground: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
     """Rows and columns of the nearest background pixels.
 
-    In a row, those of pixels further right are not further left. So the columns for every second pixel lie between
-    those of its neighbours, which were found before, and the exact distance says which it is."""
+    A pixel whose nearest one is in column u has a square smaller by at most 2 (x - u) - 1 to its left, and by at most
+    2 (u - x) - 1 to its right, with equality where that neighbour has the same nearest one."""
     height, width = foreground.shape
     if foreground.all():
         return np.stack([np.full(foreground.shape, -1, np.int32), np.zeros(foreground.shape, np.int32)])
-    far = 2 * height + width
-    y, x = np.arange(height)[:, None], np.arange(width)
+    y, x = (np.arange(size, dtype=np.int32) for size in foreground.shape)
+    y, far = y[:, None], np.int32(2 * height + width)
     above = np.maximum.accumulate(np.where(foreground, -far, y))
     below = np.minimum.accumulate(np.where(foreground, far, y)[::-1])[::-1]
     rows = np.where(y - above <= below - y, above, below)
-    vertical, squares = (rows - y)**2, _images.squared_distances(foreground)
-    low = np.maximum.accumulate(np.where(foreground, 0, x), axis=1)
-    high = np.minimum.accumulate(np.where(foreground, width - 1, x)[:, ::-1], axis=1)[:, ::-1].copy()
-    step = 1 << width.bit_length()
-    while step := step // 2:
-        part = np.s_[:, step - 1::2 * step]
-        where = np.nonzero(low[part] < high[part])
-        places = where[0], where[1] * 2 * step + step - 1
-        firsts, lengths = low[places], (high - low)[places] + 1
-        owners = np.repeat(np.arange(len(lengths)), lengths)
-        candidates = np.arange(len(owners)) - (np.cumsum(lengths) - lengths - firsts)[owners]
-        line, column = places[0][owners], places[1][owners]
-        right = np.flatnonzero(vertical[line, candidates] + (candidates - column)**2 == squares[line, column])
-        low[places] = high[places] = candidates[right[np.diff(owners[right], prepend=-1) > 0]]
-        np.maximum.accumulate(low, axis=1, out=low)
-        high = np.minimum.accumulate(high[:, ::-1], axis=1)[:, ::-1]
-    return np.stack([np.take_along_axis(rows, low, 1), low]).astype(np.int32)
+    vertical, squares = (rows - y).astype(np.int64)**2, _images.squared_distances(foreground)
+    rise = np.diff(squares)
+    columns, high = np.zeros_like(rows), np.full_like(rows, width - 1)
+    columns[:, 1:] = np.maximum(x[1:] - (rise + 1) // 2, 0)
+    high[:, :-1] = np.minimum(x[:-1] - rise // 2, width - 1)
+    at = np.nonzero(np.take_along_axis(vertical, columns, 1) + (x - columns)**2 != squares)
+    firsts = columns[at]
+    lengths = high[at] - firsts + 1
+    owners = np.repeat(np.arange(len(lengths)), lengths)
+    candidates = np.arange(len(owners)) - (np.cumsum(lengths) - lengths - firsts)[owners]
+    line, column = at[0][owners], at[1][owners]
+    right = np.flatnonzero(vertical[line, candidates] + (candidates - column)**2 == squares[line, column])
+    columns[at] = candidates[right[np.diff(owners[right], prepend=-1) > 0]]
+    return np.stack([np.take_along_axis(rows, columns, 1), columns])
