@@ -93,8 +93,8 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     [1 1 1 0 0]
     """
     if method == "lee" or (method is None and np.ndim(image) == 3):
-        raise NotImplementedError("method: 'lee' is not here; use scikit-image's "
-                                  "skimage.morphology.skeletonize")
+        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(np.asarray(image), 'image', True)}; "
+                                  "use scikit-image's skimage.morphology.skeletonize")
     if method not in (None, "zhang"):
         raise ValueError(f"method: expected None or 'zhang', got {method!r}")
     picture: Any = _inputs.as_bool(image)
@@ -292,8 +292,8 @@ def regionprops_table(label_image: npt.ArrayLike, intensity_image: npt.ArrayLike
     dict of arrays
         One element per label in ascending order: scikit-image's numbers, those of float64 that come from sums of
         squares, roots or real intensities but for rounding. 8-connected objects and 4-connected holes count for
-        "euler_number"; "area_filled" has 4-connected objects. Where an object has no direction, as a disc,
-        "orientation" is pi / 4, and in scikit-image any angle.
+        "euler_number"; "area_filled" has 4-connected objects. "orientation" is pi / 4 or -pi / 4 where rows and
+        columns vary alike, as of discs; there scikit-image's comes from rounding.
 
     Raises
     ------
