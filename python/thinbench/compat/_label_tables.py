@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -63,15 +63,13 @@ class _Runs:
         self.width = width
         self._places, self._kept = places, kept
 
-    def sums(self, numbers: _Integers) -> _Integers:
+    def sums(self, numbers: npt.NDArray[Any]) -> Any:
         """Of each value."""
         return np.add.reduceat(numbers, self.firsts)
 
-    def of_pixels(self, numbers: npt.NDArray[Any], reduction: np.ufunc = np.add) -> npt.NDArray[np.float64]:
+    def of_pixels(self, numbers: npt.NDArray[Any], reduceat: Callable[..., Any] = np.add.reduceat) -> Any:
         """The sum, or another reduction, of numbers of each value's pixels."""
-        of_runs = reduction.reduceat(numbers.ravel(), self._places, dtype=float)[self._kept]
-        reduced: npt.NDArray[np.float64] = reduction.reduceat(of_runs, self.firsts)
-        return reduced
+        return reduceat(reduceat(numbers.ravel(), self._places, dtype=float)[self._kept], self.firsts)
 
     @cached_property
     def owners(self) -> _Integers:
@@ -81,7 +79,8 @@ class _Runs:
     @cached_property
     def areas(self) -> _Integers:
         """In pixels."""
-        return self.sums(self.ends - self.begins)
+        areas: _Integers = self.sums(self.ends - self.begins)
+        return areas
 
     @cached_property
     def boxes(self) -> tuple[_Integers, _Integers, _Integers, _Integers]:
@@ -103,7 +102,8 @@ class _Runs:
         step = self.width + 1
         upto = np.searchsorted(line * step + self.begins, (line + 1) * step + self.ends, "right")
         before = np.searchsorted(line * step + self.ends, (line + 1) * step + self.begins, "left")
-        return self.sums(1 - (upto - before))
+        numbers: _Integers = self.sums(1 - (upto - before))
+        return numbers
 
     @cached_property
     def variances(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.float64]]:
@@ -115,7 +115,7 @@ class _Runs:
         of_x = lengths * (begins + ends - 1) / 2
         sum_x, sum_y = self.sums(of_x), self.sums(lengths * y)
 
-        def covariance(products: npt.NDArray[np.float64], sum_a: Any, sum_b: Any) -> npt.NDArray[np.float64]:
+        def covariance(products: npt.NDArray[np.float64], sum_a: Any, sum_b: Any) -> Any:
             return (self.sums(products) - sum_a * sum_b / self.areas) / self.areas
 
         return (covariance(squares[1] - squares[0], sum_x, sum_x), covariance(lengths * y**2, sum_y, sum_y),
@@ -198,9 +198,9 @@ def _columns(labels: npt.NDArray[Any], intensities: Any, runs: _Runs, name: str)
 
 def _of_intensities(intensities: npt.NDArray[Any], runs: _Runs, name: str) -> list[npt.NDArray[Any]]:
     if name == "intensity_max":
-        return [runs.of_pixels(intensities, np.maximum)]
+        return [runs.of_pixels(intensities, np.maximum.reduceat)]
     if name == "intensity_min":
-        return [runs.of_pixels(intensities, np.minimum)]
+        return [runs.of_pixels(intensities, np.minimum.reduceat)]
     total = runs.of_pixels(intensities)
     if name == "intensity_mean":
         return [total / runs.areas]
@@ -216,7 +216,7 @@ def _perimeters(labels: npt.NDArray[Any], runs: _Runs) -> npt.NDArray[np.float64
     sides, diagonals = ((0, 1), (1, 0), (1, 2), (2, 1)), ((0, 0), (0, 2), (2, 0), (2, 2))
     height, width = labels.shape
 
-    def equal(image: npt.NDArray[Any], places: Sequence[tuple[int, int]]) -> npt.NDArray[np.uint8]:
+    def equal(image: npt.NDArray[Any], places: Sequence[tuple[int, int]]) -> Any:
         padded = np.pad(image, 1)
         return sum((padded[y:y + height, x:x + width] == image).astype(np.uint8) for y, x in places)
 
@@ -225,7 +225,8 @@ def _perimeters(labels: npt.NDArray[Any], runs: _Runs) -> npt.NDArray[np.float64
     kinds = _STEP_KINDS[equal(line, sides)[on_line], equal(line, diagonals)[on_line]]
     owners = np.searchsorted(runs.values, line[on_line])
     straight, diagonal, both = (np.bincount(owners[kinds == kind], minlength=len(runs.values)) for kind in (1, 2, 3))
-    return straight + np.sqrt(2) * diagonal + (1 + np.sqrt(2)) / 2 * both
+    lengths: npt.NDArray[np.float64] = straight + np.sqrt(2) * diagonal + (1 + np.sqrt(2)) / 2 * both
+    return lengths
 
 
 def _filled_areas(labels: npt.NDArray[Any], runs: _Runs) -> _Integers:

@@ -251,8 +251,9 @@ def remove_small_holes(ar: npt.ArrayLike, area_threshold: float = 64, connectivi
     """
     picture = _of_objects(ar, "skimage.morphology.remove_small_holes")
     background = picture == 0
-    result = _arrays.result_for(background, out)
-    return np.logical_not(remove_small_objects(background, area_threshold, connectivity), out=result)
+    result: npt.NDArray[np.bool_] = _arrays.result_for(background, out)
+    np.logical_not(remove_small_objects(background, area_threshold, connectivity), out=result)
+    return result
 
 
 def _of_objects(ar: npt.ArrayLike, original: str) -> npt.NDArray[Any]:
