@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
@@ -19,6 +20,8 @@ _SHAPES: dict[str, tuple[int, ...]] = dict.fromkeys([
     *_WHOLE, *_OF_INTENSITIES, "axis_major_length", "axis_minor_length", "eccentricity", "equivalent_diameter_area",
     "extent", "orientation", "perimeter"], ()) | {
     "bbox": (4,), "centroid": (2,), "centroid_weighted": (2,), "inertia_tensor": (2, 2), "inertia_tensor_eigvals": (2,)}
+_PARTS = {name: [tuple(map(str, index)) for index in itertools.product(*map(range, shape))]
+          for name, shape in _SHAPES.items()}  # what the names of columns end with
 _OLD_NAMES = {
     "Area": "area", "BoundingBox": "bbox", "BoundingBoxArea": "area_bbox", "Centroid": "centroid",
     "Eccentricity": "eccentricity", "EquivDiameter": "equivalent_diameter_area", "EulerNumber": "euler_number",
@@ -74,7 +77,9 @@ class _Runs:
     @cached_property
     def owners(self) -> _Integers:
         """The index of each run's value."""
-        return np.repeat(np.arange(len(self.values)), np.diff(self.firsts, append=len(self.rows)))
+        steps = np.zeros(len(self.rows), np.intp)
+        steps[self.firsts[1:]] = 1
+        return np.cumsum(steps)
 
     @cached_property
     def areas(self) -> _Integers:
@@ -141,14 +146,14 @@ def measured(labels: npt.NDArray[Any], intensities: npt.NDArray[Any] | None, pro
     """A column for each property, or several, as scikit-image names them."""
     known = [_OLD_NAMES.get(name, name) for name in properties]
     for name, given in zip(known, properties):
-        if name not in _SHAPES:
-            raise NotImplementedError(f"properties: expected {', '.join(_SHAPES)}; got {given!r}; use {original}")
+        if name not in _PARTS:
+            raise NotImplementedError(f"properties: expected {', '.join(_PARTS)}; got {given!r}; use {original}")
         if name in _OF_INTENSITIES and intensities is None:
             raise ValueError(f"intensity_image: expected an array for {given!r}, got None")
     runs = _Runs(labels)
     table: dict[str, npt.NDArray[Any]] = {}
     for name, given in zip(known, properties):
-        names = [separator.join(map(str, (given, *index))) for index in np.ndindex(_SHAPES[name])]
+        names = [separator.join((given, *part)) for part in _PARTS[name]]
         columns = (_columns(labels, intensities, runs, name) if len(runs.values)
                    else [np.empty(0, np.intp if name in _WHOLE else float)] * len(names))
         table.update(zip(names, columns))
