@@ -10,7 +10,7 @@ many_images_packages=(python3-opencv python3-skimage python3-dask python3-distri
 # Of the tests alone.
 test_packages=(libgtest-dev clang-format chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
   python3-build python3-pip python3-setuptools python3-venv python3-wheel python3-hypothesis
-  python3-pil python3-zarr "${many_images_packages[@]}")
+  python3-pil python3-tifffile python3-zarr imagemagick "${many_images_packages[@]}")
 
 say() { printf '\n== %s\n' "$*"; }
 

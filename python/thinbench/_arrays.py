@@ -43,12 +43,18 @@ def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool
     if image.dtype not in _BINARY:
         raise TypeError(f"{name}: expected dtype bool or uint8, got {image.dtype}; "
                         f"`{name} != 0` or `{name} > threshold` makes one")
-    if image.ndim == 3 and 1 <= image.shape[2] <= 4 and not stack:
+    if not stack and (channels := channel_advice(image, name, is_binary=True)):
         advice = "; a stack of such images needs stack=True" if stack is None else ""
-        one = f"`thinbench.binarise({name})` makes a binary image, " if is_colour(image) else ""
-        raise ValueError(f"{name}: expected a binary image, got shape {image.shape}, whose last axis looks like channels; "
-                         f"{one}`{name}[..., 0]` takes one channel{advice}")
+        raise ValueError(f"{name}: expected a binary image, got shape {image.shape}{channels}{advice}")
     return with_rows(_with_dimensions(image, max_dimensions, name))
+
+
+def channel_advice(image: Array, name: str, is_binary: bool = False) -> str:
+    """What to type where the last axis of an image, which may have to be binary, looks like channels; else nothing."""
+    if image.ndim != 3 or not 1 <= image.shape[2] <= 4:
+        return ""
+    one = f"`thinbench.binarise({name})` makes a binary image, " if is_binary and is_colour(image) else ""
+    return f", whose last axis looks like channels; {one}`{name}[..., 0]` takes one channel"
 
 
 def is_colour(image: Array) -> bool:
@@ -66,9 +72,7 @@ def labels(image: Any, name: str = "labels") -> Array:
         for number in (int(array.min()), int(array.max())):
             if not -2**31 <= number < 2**31:
                 raise ValueError(f"{name}: expected numbers that fit into int32, got {number}")
-    if array.ndim != 2:
-        raise ValueError(f"{name}: expected shape (H, W), got {array.shape}")
-    return array
+    return _with_dimensions(array, 2, name)
 
 
 def grey(image: Any, name: str = "image") -> Array:
@@ -84,7 +88,7 @@ def grey(image: Any, name: str = "image") -> Array:
 def _with_dimensions(image: Array, max_dimensions: int, name: str = "image") -> Array:
     if not 2 <= image.ndim <= max_dimensions:
         expected = "(H, W)" if max_dimensions == 2 else "(H, W) or (N, H, W)"
-        raise ValueError(f"{name}: expected shape {expected}, got {image.shape}")
+        raise ValueError(f"{name}: expected shape {expected}, got {image.shape}{channel_advice(image, name)}")
     return image
 
 

@@ -108,7 +108,8 @@ def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[Any]:
     if array.ndim == 2:
         return _arrays.with_rows(array)
     if array.ndim != 3 or array.shape[2] not in (3, 4):
-        raise ValueError(f"image: expected shape (H, W), (H, W, 3) or (H, W, 4), got {array.shape}")
+        raise ValueError(f"image: expected shape (H, W), (H, W, 3) or (H, W, 4), got {array.shape}"
+                         f"{_arrays.channel_advice(array, 'image')}")
     colours = np.ascontiguousarray(array)
     height, width, samples = colours.shape
     levels = np.empty((height, width), colours.dtype)

@@ -233,7 +233,7 @@ def _check_image(array: Any, check: Any = _arrays.binary) -> None:
         raise TypeError(f"array: expected a dask array, got {type(array).__name__}")
     check(np.empty((0, 0), array.dtype), name="array")
     if array.ndim != 2:
-        raise ValueError(f"array: expected shape (H, W), got {array.shape}")
+        raise ValueError(f"array: expected shape (H, W), got {array.shape}{_arrays.channel_advice(array, 'array')}")
     if any(np.isnan(size) for sizes in array.chunks for size in sizes):
         raise ValueError(f"array: expected chunks of known size, got {array.chunks}; "
                          "`array.compute_chunk_sizes()` finds them")

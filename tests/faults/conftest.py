@@ -5,6 +5,7 @@ THINBENCH_PROGRAMS is their directory, THINBENCH_FAULT_SHIM the library made of 
 from __future__ import annotations
 
 import os
+import random
 import re
 import resource
 import subprocess
@@ -18,6 +19,8 @@ from PIL import Image, ImageDraw
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/faults/libfault_shim.so"))
+SEED = int(os.environ.get("THINBENCH_IMAGES_SEED") or random.SystemRandom().randrange(2**32))
+"""Of images that are drawn anew each time."""
 SECONDS = 600
 """After so long a program counts as hanging."""
 
@@ -127,6 +130,11 @@ def parts(width: int = 300, height: int = 200) -> Image.Image:
 def binary(image: Image.Image) -> Image.Image:
     """Of one bit per pixel."""
     return image.point(lambda grey: 255 * (grey > 100)).convert("1")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Also where nothing failed, as a run may be slow."""
+    terminalreporter.write_line(f"THINBENCH_IMAGES_SEED={SEED}")
 
 
 @pytest.fixture(scope="session", name="inputs")

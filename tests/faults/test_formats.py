@@ -106,6 +106,8 @@ TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
                           [[0, 200]]),
     "grey multiplied by its opacity": (
         tiff(2, 1, [b"\x20\x40\xc8\xff"], of(GREY, 2, 8) | {EXTRA: (SHORT, [1])}), [[32, 200]]),
+    "12 bits with opacity": (tiff(2, 1, [b"\x0f\xff\xff\x0f\xf8\x00"], of(GREY, 2, 12) | {EXTRA: (SHORT, [2])}),
+                             [[0xFF, 0x80]]),
     "colours of 1 bit": (tiff(2, 1, [b"\xe0"], of(RGB, 3, 1)),
                          [[255, 0]]),
     "colours of 16 bits": (

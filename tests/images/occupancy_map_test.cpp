@@ -83,6 +83,7 @@ TEST_F(OccupancyMapTest, what_is_wrong_is_named_with_what_would_be_right) {
            {"resolution: 0", metres + "'0'"},
            {"resolution: .inf", metres + "'.inf'"},
            {"resolution: 5 cm", metres + "'5 cm'"},
+           {R"(resolution: "5\ncm")", metres + R"('5\x0acm')"},
            {"resolution:", metres + "nothing"},
            {"origin: [1, 2]", pose + "a list of 2 values"},
            {"origin: 5", pose + "'5'"},

@@ -17,8 +17,8 @@ import numpy as np
 from images import iteration_limit, random_image
 
 CASES = 2000
-OPERATIONS = ["bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak",
-              "majority", "remove", "spur"]
+OPERATIONS = ["bothat", "bridge", "clean", "close", "diag", "dilate", "endpoints", "erode", "fill", "hbreak",
+              "majority", "open", "remove", "spur", "tophat"]
 OPERATION_CASES = 300
 FILE = Path(__file__).with_name("bwmorph.json")
 

@@ -83,6 +83,17 @@ def test_skeletonize_equals_scikit_image(image, view, dtype):
         compat.skimage.skeletonize(source), morphology.skeletonize(source, method="zhang"))
 
 
+def test_skimage_thin_takes_the_old_name_of_its_limit():
+    image = random_image(2)
+    with pytest.warns(FutureWarning, match="max_num_iter"):
+        np.testing.assert_array_equal(compat.skimage.thin(image, max_iter=1), morphology.thin(image, 1))
+
+
+@pytest.mark.parametrize("image", [[[0, 255, 255], [0, 255, 7]], [[0, 0.5, 1.5]], [[-1, 0, 1]]])
+def test_skeletonize_takes_what_is_nonzero(image):
+    np.testing.assert_array_equal(compat.skimage.skeletonize(image), morphology.skeletonize(np.array(image) != 0))
+
+
 def test_bwmorph_equals_the_recorded_results_of_octave():
     limits = [iteration_limit(seed) for seed in range(CASES)]
     assert_recorded("thin", [

@@ -19,6 +19,7 @@ GRAPH = thinbench.skeleton_graph(LINE)
 TABLE = np.zeros(512, bool)
 MAP = np.pad(np.ones((31, 91), bool), 5)
 LIFE = Rule.from_hensel("B3/S23")
+SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
 
 
 def assert_rejected(error, said, function, *arguments, **options):
@@ -133,6 +134,27 @@ def test_a_channel_axis_is_no_stack_unless_it_is_said(channels, dtype):
     image = np.ones((20, 30, channels), dtype)
     assert_rejected(ValueError, f"shape (20, 30, {channels}), whose last axis looks like channels; ", thinbench.thin, image)
     assert thinbench.thin(image, stack=True).shape == image.shape
+
+
+def every_compat_function():
+    """Those that take an image and need no more."""
+    yield lambda image: compat.bwmorph(image, "thin")
+    for module, names in ((SCIPY, "label binary_fill_holes distance_transform_edt"),
+                          (SKIMAGE, "thin skeletonize label remove_small_objects remove_small_holes regionprops_table"),
+                          (CV2, "thinning connectedComponents connectedComponentsWithStats")):
+        yield from (getattr(module, name) for name in names.split())
+    yield lambda image: CV2.distanceTransform(image, 2, 0)
+
+
+@pytest.mark.parametrize("channels", [1, 2, 3, 4])
+@pytest.mark.parametrize("function", [
+    *ONE_IMAGE, thinbench.thin, thinbench.thin_labels, thinbench.detect_edges, thinbench.localise_objects,
+    thinbench.fill_holes_of_labels, thinbench.label_values, thinbench.graph_of_labels, thinbench.prune_labels,
+    lambda image: thinbench.thin_many([image]), lambda image: thinbench.find_path(image, (0, 0), (1, 1)),
+    *every_compat_function()])
+def test_channels_are_rejected_with_what_takes_one(function, channels):
+    with pytest.raises((ValueError, NotImplementedError), match=r"^[^\n]*\[\.\.\., 0\]`[^\n]*$"):
+        function(np.ones((20, 30, channels), np.uint8))
 
 
 @pytest.mark.parametrize("function", [thinbench.thin, thinbench.distances, thinbench.detect_edges,
@@ -286,7 +308,6 @@ def test_values(call, error, said):
 
 ONE = np.ones((3, 3), np.uint8)
 CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
-SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
 
 
 @pytest.mark.parametrize(("function", "arguments", "options", "error", "said"), [
@@ -300,8 +321,9 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (CV2.connectedComponents, [ONE > 0], {}, TypeError, "bool"),
     (CV2.connectedComponents, [CHECKERS, None, 4, CV2.CV_16U], {}, ValueError, "180000 objects were found, and CV_16U holds numbers up to 65535; use CV_32S"),
     (CV2.connectedComponentsWithStats, [ONE], {"stats": ONE}, NotImplementedError, "cv2"),
-    (CV2.distanceTransform, [ONE, 1, 0], {}, NotImplementedError, "distanceType"),
-    (CV2.distanceTransform, [ONE, 2, 5], {}, NotImplementedError, "maskSize"),
+    (CV2.connectedComponentsWithAlgorithm, [ONE, 8, CV2.CV_32S, 6], {}, ValueError, "6"),
+    (CV2.distanceTransform, [ONE, 4, 0], {}, NotImplementedError, "distanceType: expected 1 or 2 or 3, got 4"),
+    (CV2.distanceTransform, [ONE, 2, 7], {}, NotImplementedError, "maskSize"),
     (CV2.distanceTransform, [ONE, 2, 0], {"dstType": 0}, NotImplementedError, "dstType"),
     (CV2.distanceTransform, [ONE, 2, 0, ONE], {}, ValueError, "uint8"),
     (SKIMAGE.skeletonize, [ONE], {"method": "lee"}, NotImplementedError, "scikit-image"),
@@ -315,7 +337,15 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (SKIMAGE.label, [ONE[0]], {}, NotImplementedError, "skimage.measure.label"),
     (SKIMAGE.regionprops_table, [ONE], {"properties": ("label", "solidity")}, NotImplementedError,
      "'solidity'; use skimage.measure.regionprops_table"),
-    (SKIMAGE.regionprops_table, [ONE, ONE], {}, NotImplementedError, "skimage"),
+    (SKIMAGE.regionprops_table, [ONE, ONE[1:]], {}, ValueError, "intensity_image: expected shape (3, 3), got (2, 3)"),
+    (SKIMAGE.regionprops_table, [ONE, np.ones((3, 3, 3))], {}, NotImplementedError, "skimage"),
+    (SKIMAGE.regionprops_table, [ONE], {"properties": ["intensity_max"]}, ValueError, "'intensity_max', got None"),
+    (SKIMAGE.remove_small_objects, [ONE, 2, 3], {}, ValueError, "3"),
+    (SKIMAGE.remove_small_objects, [ONE, "2"], {}, TypeError, "'2'"),
+    (SKIMAGE.remove_small_objects, [ONE / 2], {}, TypeError, "float64"),
+    (SKIMAGE.remove_small_objects, [np.array([[-5]])], {}, ValueError, "-5"),
+    (SKIMAGE.remove_small_holes, [ONE[0]], {}, NotImplementedError, "skimage.morphology.remove_small_holes"),
+    (SKIMAGE.remove_small_holes, [ONE], {"out": ONE}, ValueError, "expected bool"),
     (SKIMAGE.regionprops_table, [ONE > 0], {}, TypeError, "bool"),
     (SCIPY.label, [np.ones((3, 3, 3))], {}, NotImplementedError, "scipy.ndimage.label"),
     (SCIPY.label, [ONE, [[1, 1, 1]] * 2], {}, ValueError, "(2, 3)"),
@@ -327,7 +357,8 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (SCIPY.binary_fill_holes, [ONE, np.ones((5, 5))], {}, NotImplementedError, "scipy"),
     (SCIPY.binary_fill_holes, [ONE], {"origin": 1}, NotImplementedError, "origin"),
     (SCIPY.binary_fill_holes, [ONE], {"output": np.empty(3, bool)}, RuntimeError, "(3,)"),
-    (SCIPY.distance_transform_edt, [ONE], {"return_indices": True}, NotImplementedError, "scipy"),
+    (SCIPY.distance_transform_edt, [ONE, 2], {"return_indices": True}, NotImplementedError, "scipy"),
+    (SCIPY.distance_transform_edt, [ONE], {"return_indices": True, "indices": ONE}, RuntimeError, "(2, 3, 3)"),
     (SCIPY.distance_transform_edt, [ONE, (1, 2, 3)], {}, RuntimeError, "(1, 2, 3)"),
     (SCIPY.distance_transform_edt, [ONE], {"sampling": -2}, ValueError, "spacing"),
     (SCIPY.distance_transform_edt, [ONE], {"return_distances": False}, RuntimeError, "False"),

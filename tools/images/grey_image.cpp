@@ -72,11 +72,17 @@ Pixels in_levels(const Pixels& image, GreyImage& grey) {
 
 // Transparency.
 
+/// The opacity of what is opaque.
+template <class T>
+std::uint64_t opaque(const Pixels& image) {
+  return image.highest > 0 ? image.highest : kMax<T>;
+}
+
 template <class T>
 bool has_transparent_pixels(const Pixels& image) {
   const T* const all = image.samples_of_row<T>(0);
   for (Index i = image.channels - 1; i < image.samples(); i += image.channels) {
-    if (all[i] < kMax<T>) return true;
+    if (all[i] < opaque<T>(image)) return true;
   }
   return false;
 }
@@ -84,13 +90,15 @@ bool has_transparent_pixels(const Pixels& image) {
 template <class T>
 void flatten(const Pixels& image, Backdrop backdrop) {
   T* pixel = image.samples_of_row<T>(0);
+  const std::uint64_t most = opaque<T>(image);
   const int colours = image.channels - 1;
   for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
-    const std::uint64_t opacity = pixel[colours], rest = kMax<T> - opacity;
+    const std::uint64_t opacity = std::min<std::uint64_t>(pixel[colours], most);
+    const std::uint64_t rest = most - opacity;
     for (int k = 0; k < colours; ++k) {
       std::uint64_t level = pixel[k];
-      if (!image.is_premultiplied) level = (level * opacity + kMax<T> / 2) / kMax<T>;
-      if (backdrop == Backdrop::white) level = std::min<std::uint64_t>(level + rest, kMax<T>);
+      if (!image.is_premultiplied) level = (level * opacity + most / 2) / most;
+      if (backdrop == Backdrop::white) level = std::min(level + rest, most);
       pixel[k] = static_cast<T>(level);
     }
   }

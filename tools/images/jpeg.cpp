@@ -109,10 +109,8 @@ class JpegReader {
     const int flip = jpeg_.saw_Adobe_marker != 0 ? 0 : 255;
     for (std::size_t i = 0; i < row_.size(); i += 4) {
       const int white = row_[i + 3] ^ flip;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int ink = 255 - (row_[i + k] ^ flip);
-        *to++ = static_cast<std::uint8_t>(white - (ink * white >> 8));
-      }
+      for (std::size_t k = 0; k < 3; ++k)
+        *to++ = static_cast<std::uint8_t>((row_[i + k] ^ flip) * white / 255);
     }
   }
 

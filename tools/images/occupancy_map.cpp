@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/file_bytes.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -16,19 +15,20 @@ namespace {
 constexpr std::size_t kMaxDescriptionBytes = 100'000;
 constexpr std::uint8_t kUnknownLevel = 205;  // as ROS writes it
 
-YAML::Node load(const std::string& path) {
+YAML::Node load(const FileBytes& file) {
   try {
-    const YAML::Node root = YAML::Load(std::string(read_file(path, kMaxDescriptionBytes).text()));
+    const YAML::Node root = YAML::Load(std::string(file.text()));
     if (root.IsMap()) return root;
   } catch (const YAML::Exception& error) {
-    cannot_read(path, fmt::format("it is not YAML: line {}: {}", error.mark.line + 1, error.msg));
+    cannot_read(file.name(), fmt::format("it is not YAML: line {}: {}", error.mark.line + 1,
+                                         one_line(error.msg)));
   }
-  cannot_read(path, "it describes no map: it has no keys");
+  cannot_read(file.name(), "it describes no map: it has no keys");
 }
 
 std::string shown(const YAML::Node& value) {
   if (!value || value.IsNull()) return "nothing";
-  if (value.IsScalar()) return fmt::format("'{}'", value.Scalar().substr(0, 60));
+  if (value.IsScalar()) return fmt::format("'{}'", one_line(value.Scalar().substr(0, 60)));
   return value.IsMap() ? "keys" : "a list of " + counted(value.size(), "value");
 }
 
@@ -58,11 +58,15 @@ bool is_map_description(const std::string& path) {
 }
 
 MapDescription read_map_description(const std::string& path) {
-  const YAML::Node keys = load(path);
+  return parse_map_description(read_file(path, kMaxDescriptionBytes));
+}
+
+MapDescription parse_map_description(const FileBytes& file) {
+  const YAML::Node keys = load(file);
   const auto require_of = [&](const YAML::Node& value, bool holds, const char* key,
                               const std::string& expected) {
     if (holds) return;
-    cannot_read(path, fmt::format("{}: expected {}, got {}", key, expected, shown(value)));
+    cannot_read(file.name(), fmt::format("{}: expected {}, got {}", key, expected, shown(value)));
   };
   const auto require = [&](bool holds, const char* key, const std::string& expected) {
     require_of(keys[key], holds, key, expected);
@@ -70,7 +74,7 @@ MapDescription read_map_description(const std::string& path) {
   MapDescription map;
   const std::string image = text(keys["image"]);
   require(!image.empty(), "image", "the name of an image file");
-  map.image = std::filesystem::path(path).parent_path() / image;
+  map.image = std::filesystem::path(file.name()).parent_path() / image;
   map.resolution = number(keys["resolution"]);
   require(std::isfinite(map.resolution) && map.resolution > 0, "resolution",
           "metres per pixel, a number above 0");

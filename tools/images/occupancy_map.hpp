@@ -5,6 +5,7 @@
 #include <string>
 
 #include "images/grey_image.hpp"
+#include "support/file_bytes.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -32,6 +33,7 @@ struct MapPoint {
 
 /// Throws FileError, which names the key that is missing or wrong.
 [[nodiscard]] MapDescription read_map_description(const std::string& path);
+[[nodiscard]] MapDescription parse_map_description(const FileBytes& file);
 
 /// Whether an image without description is such a map: its levels are 0, 205 and 254 or 255 alone,
 /// and the last two kinds, unknown and free, are there.

@@ -43,6 +43,7 @@ struct Pixels {
   int channels = 1;  // 1: grey, 3: red, green, blue; 2 and 4: and opacity
   SampleKind kind = SampleKind::u8;
   detail::AlignedArray<std::uint8_t> bytes = nullptr;
+  std::uint32_t highest = 0;      // what samples reach, such as 4095; 0: what their kind holds
   double first = 0;               // what a sample of 0 stands for: signed samples begin lower
   bool is_premultiplied = false;  // colours are multiplied by the opacity
   bool shows_black = false;       // where transparent, unless the user wants otherwise

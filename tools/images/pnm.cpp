@@ -168,6 +168,7 @@ Pixels decode_pnm(std::string_view bytes, const Decoding& request) {
   check_claim(header.width, header.height, needed, bytes.size());
   Pixels image = make_pixels(header.width, header.height, static_cast<int>(header.channels),
                              header.maximum > 255 ? SampleKind::u16 : SampleKind::u8);
+  if (image.kind == SampleKind::u16) image.highest = static_cast<std::uint32_t>(header.maximum);
   const std::string_view data = bytes.substr(header.bytes);
   if (kind == '1' || kind == '4') {
     read_bits(data, image, is_text, request.as_stored);

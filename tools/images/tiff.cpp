@@ -489,6 +489,7 @@ Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
   check_samples(layout);
   Pixels image = interpreted(stored(tiff, layout, kind_of(layout), request.lenient), tiff, layout,
                              request.as_stored);
+  if (layout.bits > 8 && layout.bits < 16) image.highest = (1U << layout.bits) - 1;
   image.shows_black = layout.has_opacity();
   image.is_premultiplied = layout.opacity == EXTRASAMPLE_ASSOCALPHA;
   image.place = geo_reference_of(tiff);

@@ -14,8 +14,10 @@ from thinbench.compat import _inputs, cv2, ndimage, skimage
 __all__ = ["bwmorph", "cv2", "ndimage", "skimage"]
 
 _OPERATIONS = ("bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove",
-               "spur", "thin")
+               "spur", "thin", "open", "close", "tophat", "bothat")
 _ONCE = ("bridge", "clean", "fill", "hbreak", "remove")  # whatever n, as in Octave
+_STEPS = {"open": ("erode", "dilate"), "close": ("dilate", "erode"), "tophat": ("erode", "dilate"),
+          "bothat": ("dilate", "erode")}
 
 
 def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[np.bool_]:
@@ -26,7 +28,7 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     image : array, shape (H, W)
         Nonzero is foreground.
     operation : {"bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority",
-        "remove", "spur", "thin"}
+        "remove", "spur", "thin", "open", "close", "tophat", "bothat"}
     n : int or inf
         The number of iterations; inf: until nothing changes. Everything outside the image is
         background.
@@ -38,7 +40,7 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     Raises
     ------
     NotImplementedError
-        For other operations.
+        For other operations, such as "skel" and "shrink", which are in Octave.
     TypeError, ValueError
         If n is negative or not whole, or inf with "majority", which may never end, or the image has
         not two dimensions.
@@ -63,6 +65,10 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
         return picture
     if operation == "thin":
         return skimage.thin(picture, limit)
+    if operation in _STEPS:
+        first, second = _STEPS[operation]
+        changed: npt.NDArray[np.bool_] = thin(thin(picture, first, max_iterations=1), second, max_iterations=1)
+        return changed ^ picture if operation.endswith("hat") else changed
     if operation in _ONCE:
         limit = 1
     result: npt.NDArray[np.bool_] = thin(picture, operation, max_iterations=limit)

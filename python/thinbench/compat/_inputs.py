@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from thinbench import _arrays
+
 
 def picture_of(image: Any, name: str, original: str) -> npt.NDArray[Any]:
     """A 2-D array of real numbers; for others, an error that names the original."""
@@ -14,7 +16,8 @@ def picture_of(image: Any, name: str, original: str) -> npt.NDArray[Any]:
     if picture.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got dtype {picture.dtype}")
     if picture.ndim != 2:
-        raise NotImplementedError(f"{name}: expected shape (H, W), got {picture.shape}; use {original}")
+        raise NotImplementedError(f"{name}: expected shape (H, W), got {picture.shape}"
+                                  f"{_arrays.channel_advice(picture, name)}; use {original}")
     return picture
 
 
@@ -30,7 +33,8 @@ def as_bool(image: npt.ArrayLike) -> npt.NDArray[np.bool_]:
     """A new 2-D array: whether a pixel is nonzero."""
     picture = np.asarray(image)
     if picture.ndim != 2:
-        raise ValueError(f"image: expected shape (H, W), got {picture.shape}")
+        raise ValueError(f"image: expected shape (H, W), got {picture.shape}"
+                         f"{_arrays.channel_advice(picture, 'image', is_binary=True)}")
     if picture.dtype.kind not in "biufc":
         raise TypeError(f"image: expected numbers, got dtype {picture.dtype}")
     return picture.astype(bool, order="C")

@@ -1,4 +1,4 @@
-"""OpenCV's `connectedComponents`, `connectedComponentsWithStats` and `distanceTransform`, and
+"""OpenCV's `connectedComponents`, also with statistics and algorithm, and `distanceTransform`, and
 `ximgproc.thinning`, which many builds of OpenCV lack."""
 
 from __future__ import annotations
@@ -15,8 +15,12 @@ THINNING_ZHANGSUEN = 0
 THINNING_GUOHALL = 1
 CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA, CC_STAT_MAX = range(6)
 CV_8U, CV_16U, CV_32S, CV_32F = 0, 2, 4, 5
-DIST_L2 = 2
-DIST_MASK_PRECISE = 0
+CCL_DEFAULT, CCL_WU, CCL_GRANA, CCL_BOLELLI, CCL_SAUF, CCL_BBDT, CCL_SPAGHETTI = range(-1, 6)
+DIST_L1, DIST_L2, DIST_C = 1, 2, 3
+DIST_MASK_PRECISE, DIST_MASK_3, DIST_MASK_5 = 0, 3, 5
+_ONE = 1 << 16  # of OpenCV's distances by steps
+_STEPS = {DIST_L1: (1.0, 2.0), DIST_C: (1.0, 1.0), (DIST_L2, DIST_MASK_3): (0.955, 1.3693),
+          (DIST_L2, DIST_MASK_5): (1.0, 1.4, 2.1969)}  # to a neighbour, a diagonal one, and by a knight's move
 _NO_BACKGROUND = np.float32(1e15) ** 0.5  # OpenCV's infinity
 _LABEL_TYPES: dict[int, np.dtype[Any]] = {CV_32S: np.dtype(np.int32), CV_16U: np.dtype(np.uint16)}
 _HIGH_BIT = np.uint8(128)
@@ -107,6 +111,43 @@ def connectedComponents(image: npt.ArrayLike, labels: npt.NDArray[Any] | None = 
     return objects + 1, _converted(found, objects, ltype, labels)
 
 
+def connectedComponentsWithAlgorithm(image: npt.ArrayLike, connectivity: int, ltype: int,  # noqa: N802
+                                     ccltype: int, labels: npt.NDArray[Any] | None = None,
+                                     ) -> tuple[int, npt.NDArray[Any]]:
+    """Label objects as OpenCV's `connectedComponentsWithAlgorithm` does, number for number.
+
+    Parameters
+    ----------
+    image, connectivity, ltype, labels
+        As in `connectedComponents`.
+    ccltype : {CCL_DEFAULT, CCL_WU, CCL_GRANA, CCL_BOLELLI, CCL_SAUF, CCL_BBDT, CCL_SPAGHETTI}
+        With CCL_WU and CCL_SAUF also 8-connected objects are in raster order of first pixels.
+
+    Returns
+    -------
+    int, and array of shape (H, W)
+        As from `connectedComponents`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As `connectedComponents`, and for other algorithms.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import cv2
+    >>> image = np.array([[0, 0, 0, 1], [1, 0, 0, 0]], np.uint8)
+    >>> print(cv2.connectedComponentsWithAlgorithm(image, 8, cv2.CV_32S, cv2.CCL_SAUF)[1][0])
+    [0 0 0 1]
+    """
+    if ccltype not in range(CCL_DEFAULT, CCL_SPAGHETTI + 1):
+        raise ValueError(f"ccltype: expected -1 (CCL_DEFAULT) to 5 (CCL_SPAGHETTI), got {ccltype!r}")
+    picture, neighbours, order = _checked(image, connectivity, ltype)
+    found, objects = _images.numbered(picture, neighbours, None if ccltype in (CCL_WU, CCL_SAUF) else order)
+    return objects + 1, _converted(found, objects, ltype, labels)
+
+
 def connectedComponentsWithStats(  # noqa: N802
         image: npt.ArrayLike, labels: npt.NDArray[Any] | None = None, stats: npt.NDArray[np.int32] | None = None,
         centroids: npt.NDArray[np.float64] | None = None, connectivity: int = 8, ltype: int = CV_32S,
@@ -164,14 +205,16 @@ def connectedComponentsWithStats(  # noqa: N802
 def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # noqa: N802, N803
                       dst: npt.NDArray[np.float32] | None = None,
                       dstType: int = CV_32F) -> npt.NDArray[np.float32]:  # noqa: N803
-    """Find distances to the background as OpenCV's `distanceTransform` does with a precise mask.
+    """Find distances to the background as OpenCV's `distanceTransform` does.
 
     Parameters
     ----------
     src : array of uint8, shape (H, W)
-        Nonzero is foreground. At most 32767 pixels on a side.
-    distanceType : {DIST_L2}
-    maskSize : {DIST_MASK_PRECISE}
+        Nonzero is foreground. At most 32767 pixels on a side with DIST_MASK_PRECISE.
+    distanceType : {DIST_L2, DIST_L1, DIST_C}
+        Euclidean; sum or maximum of the differences of rows and columns.
+    maskSize : {DIST_MASK_PRECISE, DIST_MASK_3, DIST_MASK_5}
+        For DIST_L2: exact, or by steps to neighbours, for 5 also by knight's moves. OpenCV's are ten times as fast.
     dst : array of float32, optional
         Receives the result: same shape, C-contiguous. (OpenCV returns a new array if the shape differs.)
     dstType : {CV_32F}
@@ -179,13 +222,13 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
     Returns
     -------
     array of float32, shape (H, W)
-        Roots of exact integers, which become float32 first; OpenCV's may differ in the last bit. In an image without
-        background, the root of 1e15, as in OpenCV.
+        OpenCV's numbers, with DIST_MASK_PRECISE but for the last bit: there they are roots of exact integers, which
+        become float32 first, and in an image without background the root of 1e15. Else 8192 is the most.
 
     Raises
     ------
     NotImplementedError
-        For other types of distance and masks, which are in OpenCV.
+        For other types of distance, which are in OpenCV.
     TypeError, ValueError
         If an argument does not fit, also for an empty image.
 
@@ -198,17 +241,45 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
     [[0. 1. 2. 3.]]
     """
     image = _grey(src, "src")
-    for name, given, known in (("distanceType", distanceType, DIST_L2), ("maskSize", maskSize, DIST_MASK_PRECISE),
-                               ("dstType", dstType, CV_32F)):
-        if given != known:
-            raise NotImplementedError(f"{name}: expected {known}, got {given}; use cv2.distanceTransform")
-    squares = _images.squared_distances(image)
+    for name, value, known in (("distanceType", distanceType, (DIST_L1, DIST_L2, DIST_C)),
+                               ("maskSize", maskSize, (DIST_MASK_PRECISE, DIST_MASK_3, DIST_MASK_5)),
+                               ("dstType", dstType, (CV_32F,))):
+        if value not in known:
+            raise NotImplementedError(f"{name}: expected {' or '.join(map(str, known))}, got {value}; "
+                                      "use cv2.distanceTransform")
     found = _arrays.result_for(image, dst, "dst", np.float32)
+    if distanceType != DIST_L2 or maskSize != DIST_MASK_PRECISE:
+        steps = _STEPS[distanceType if distanceType != DIST_L2 else (DIST_L2, maskSize)]
+        return np.multiply(_by_steps(image != 0, steps), np.float32(1 / _ONE), out=found, casting="unsafe")
+    squares = _images.squared_distances(image)
     if squares[0, 0] == np.iinfo(np.int32).max:
         found.fill(_NO_BACKGROUND)
         return found
     np.copyto(found, squares, casting="unsafe")
     return np.sqrt(found, out=found)
+
+
+def _by_steps(foreground: npt.NDArray[np.bool_], steps: tuple[float, ...]) -> npt.NDArray[np.int64]:
+    """The least sums of steps to background, in 1 / 65536. One pass has all steps that lead up or left, the other those
+    that lead down or right."""
+    side, diagonal, *knight = (round(step * _ONE) for step in steps)
+    moves = [(1, -1, diagonal), (1, 0, side), (1, 1, diagonal)]
+    if knight:
+        moves += [(y, x, knight[0]) for y, x in ((2, -1), (2, 1), (1, -2), (1, 2))]
+    height, width = foreground.shape
+    most = np.int64(np.iinfo(np.int32).max >> 2)
+    padded = np.full((height + 4, width + 4), most)
+    padded[2:-2, 2:-2] = np.where(foreground, most, 0)
+    ramp = side * np.arange(width)
+    for turned in (padded, padded[::-1, ::-1]):
+        for y in range(2, height + 2):
+            row = turned[y, 2:-2]
+            for up, across, step in moves:
+                np.minimum(row, turned[y - up, 2 + across:width + 2 + across] + step, out=row)
+            row -= ramp
+            np.minimum.accumulate(row, out=row)
+            row += ramp
+    return padded[2:-2, 2:-2]
 
 
 def _grey(source: npt.ArrayLike, name: str) -> npt.NDArray[np.uint8]:

@@ -115,8 +115,8 @@ def binary_fill_holes(input: npt.ArrayLike, structure: npt.ArrayLike | None = No
 
 def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_distances: bool = True,
                            return_indices: bool = False, distances: npt.NDArray[np.float64] | None = None,
-                           indices: npt.NDArray[np.int32] | None = None) -> npt.NDArray[np.float64] | None:
-    """Find distances to the background as `scipy.ndimage.distance_transform_edt` does.
+                           indices: npt.NDArray[np.int32] | None = None) -> Any:
+    """Find distances to the background, and where it is, as `scipy.ndimage.distance_transform_edt` does.
 
     Parameters
     ----------
@@ -125,22 +125,24 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
     sampling : float or pair of floats, optional
         The distance between rows and that between columns, 1e-30 to 1e30. Results equal SciPy's without it,
         and for powers of two; for others the last bit may differ, as products are rounded otherwise.
-    return_distances : bool
-        True, as SciPy rejects False without indices.
-    return_indices, indices
-        Not here.
-    distances : array of float64, optional
-        Receives the result, of the shape of the image.
+    return_distances, return_indices : bool
+        What is returned: the distances, row and column of the nearest background pixel, or both.
+    distances : array of float64, shape (H, W), optional
+        Receives the distances.
+    indices : array of int32, shape (2, H, W), optional
+        Receives rows and columns.
 
     Returns
     -------
-    array of float64, shape (H, W); None if `distances` is given
-        In an image without background, distances to the pixel above the first one, as in SciPy.
+    array of float64, shape (H, W), and array of int32, shape (2, H, W)
+        Those that are asked for and not given; None without any. Of nearest pixels, those in the leftmost column
+        count, and of these the upper one. In an image without background, the pixel above the first one counts, as
+        in SciPy.
 
     Raises
     ------
     NotImplementedError
-        For indices and for other than two dimensions, which are in SciPy.
+        For indices with a sampling, and for other than two dimensions, which are in SciPy.
     RuntimeError, TypeError, ValueError
         If an argument does not fit.
 
@@ -152,19 +154,28 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
     [0. 2. 4.]
     """
     name = "scipy.ndimage.distance_transform_edt"
-    if return_indices or indices is not None:
-        raise NotImplementedError(f"indices: not here; use {name}")
-    if not return_distances:
-        raise RuntimeError("return_distances: expected True without indices, got False")
+    if not (return_distances or return_indices):
+        raise RuntimeError("return_distances, return_indices: expected True for one of them, got False")
+    if return_indices and sampling is not None:
+        raise NotImplementedError(f"sampling: expected None for indices, got {sampling!r}; use {name}")
     picture = _inputs.picture_of(input, "input", name)
-    found = _distances(picture, sampling)
-    if distances is None:
-        return found
-    if distances.shape != found.shape or distances.dtype != np.float64:
-        raise RuntimeError(f"distances: expected float64 of shape {found.shape}, "
-                           f"got {distances.dtype} of shape {distances.shape}")
-    distances[...] = found
-    return None
+    results = []
+    if return_distances:
+        results += _given(_distances(picture, sampling), distances, "distances")
+    if return_indices:
+        results += _given(_nearest(picture != 0), indices, "indices")
+    return tuple(results) if len(results) > 1 else results[0] if results else None
+
+
+def _given(found: npt.NDArray[Any], out: npt.NDArray[Any] | None, name: str) -> list[npt.NDArray[Any]]:
+    """The array, unless there is another one, which receives it."""
+    if out is None:
+        return [found]
+    if out.shape != found.shape or out.dtype != found.dtype:
+        raise RuntimeError(f"{name}: expected {found.dtype} of shape {found.shape}, "
+                           f"got {out.dtype} of shape {out.shape}")
+    out[...] = found
+    return []
 
 
 def _connectivity(structure: npt.NDArray[np.bool_], original: str) -> Literal[4, 8]:
@@ -195,3 +206,32 @@ def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float
         rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
         found = np.sqrt(((rows + 1) * down)**2 + (columns * across)**2)
     return found
+
+
+def _nearest(foreground: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
+    """Rows and columns of the nearest background pixels.
+
+    A pixel whose nearest one is in column u has a square smaller by at most 2 (x - u) - 1 to its left, and by at most
+    2 (u - x) - 1 to its right, with equality where that neighbour has the same nearest one."""
+    height, width = foreground.shape
+    if foreground.all():
+        return np.stack([np.full(foreground.shape, -1, np.int32), np.zeros(foreground.shape, np.int32)])
+    y, x = (np.arange(size, dtype=np.int32) for size in foreground.shape)
+    y, far = y[:, None], np.int32(2 * height + width)
+    above = np.maximum.accumulate(np.where(foreground, -far, y))
+    below = np.minimum.accumulate(np.where(foreground, far, y)[::-1])[::-1]
+    rows = np.where(y - above <= below - y, above, below)
+    vertical, squares = (rows - y).astype(np.int64)**2, _images.squared_distances(foreground)
+    rise = np.diff(squares)
+    columns, high = np.zeros_like(rows), np.full_like(rows, width - 1)
+    columns[:, 1:] = np.maximum(x[1:] - (rise + 1) // 2, 0)
+    high[:, :-1] = np.minimum(x[:-1] - rise // 2, width - 1)
+    at = np.nonzero(np.take_along_axis(vertical, columns, 1) + (x - columns)**2 != squares)
+    firsts = columns[at]
+    lengths = high[at] - firsts + 1
+    owners = np.repeat(np.arange(len(lengths)), lengths)
+    candidates = np.arange(len(owners)) - (np.cumsum(lengths) - lengths - firsts)[owners]
+    line, column = at[0][owners], at[1][owners]
+    right = np.flatnonzero(vertical[line, candidates] + (candidates - column)**2 == squares[line, column])
+    columns[at] = candidates[right[np.diff(owners[right], prepend=-1) > 0]]
+    return np.stack([np.take_along_axis(rows, columns, 1), columns])

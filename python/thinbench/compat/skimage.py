@@ -1,7 +1,9 @@
-"""scikit-image's `thin`, `skeletonize`, `label` and `regionprops_table`, for images."""
+"""scikit-image's `thin`, `skeletonize`, `label`, `regionprops_table`, `remove_small_objects` and
+`remove_small_holes`, for images."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any, Literal
 
@@ -13,7 +15,8 @@ from thinbench._thinning import thin as _thin
 from thinbench.compat import _inputs, _label_tables
 
 
-def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[np.bool_]:
+def thin(image: npt.ArrayLike, max_num_iter: int | None = None, *,
+         max_iter: int | None = None) -> npt.NDArray[np.bool_]:
     """Thin an image as `skimage.morphology.thin` does, pixel for pixel.
 
     Parameters
@@ -22,6 +25,8 @@ def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[n
         Nonzero is foreground.
     max_num_iter : int, optional
         Stop after this many iterations. None and 0: until nothing changes.
+    max_iter
+        The old name of `max_num_iter`.
 
     Returns
     -------
@@ -43,6 +48,9 @@ def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[n
     >>> print(skimage.thin(np.ones((3, 5)))[1].astype(int))
     [0 1 1 1 0]
     """
+    if max_iter is not None:
+        warnings.warn("`max_iter` is now named `max_num_iter`", FutureWarning, stacklevel=2)
+        max_num_iter = max_iter
     picture: Any = _inputs.as_bool(image)
     if picture.size == 0:
         raise ValueError(f"image: expected an image with pixels, got shape {picture.shape}")
@@ -58,7 +66,7 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     Parameters
     ----------
     image : array, shape (H, W)
-        Nonzero is foreground. scikit-image 0.19 rejects other integers than 0 and 1, and takes
+        Nonzero is foreground, as in scikit-image 0.20. 0.19 rejects other integers than 0 and 1, and takes
         fractions below 1 as 0.
     method : {None, "zhang"}
 
@@ -85,8 +93,8 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     [1 1 1 0 0]
     """
     if method == "lee" or (method is None and np.ndim(image) == 3):
-        raise NotImplementedError("method: 'lee' is not here; use scikit-image's "
-                                  "skimage.morphology.skeletonize")
+        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(np.asarray(image), 'image', True)}; "
+                                  "use scikit-image's skimage.morphology.skeletonize")
     if method not in (None, "zhang"):
         raise ValueError(f"method: expected None or 'zhang', got {method!r}")
     picture: Any = _inputs.as_bool(image)
@@ -160,18 +168,120 @@ def _label_values(picture: npt.NDArray[Any], background: int,
     return _images.label_values(numbers, connectivity=connectivity)
 
 
-def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
+def remove_small_objects(ar: npt.ArrayLike, min_size: float = 64, connectivity: int = 1, *,
+                         out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
+    """Remove objects below a size as `skimage.morphology.remove_small_objects` does in 2-D, pixel for pixel.
+
+    Parameters
+    ----------
+    ar : array of bool or of integers, shape (H, W)
+        Objects, or labels of at least 0, which need not be connected.
+    min_size : number
+        The area of the smallest object that stays.
+    connectivity : {1, 2}
+        Of objects: pixels have 4 or 8 neighbours.
+    out : array, optional
+        Receives the result; may be `ar`.
+
+    Returns
+    -------
+    array of the shape and dtype of `ar`
+        False or 0 where objects were removed.
+
+    Raises
+    ------
+    NotImplementedError
+        For other than two dimensions, which are in scikit-image.
+    TypeError, ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import skimage
+    >>> print(skimage.remove_small_objects(np.array([[1, 1, 0, 1]], bool), 2)[0])
+    [ True  True False False]
+    """
+    picture = _of_objects(ar, "skimage.morphology.remove_small_objects")
+    if connectivity not in (1, 2):
+        raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
+    least = _arrays.real("min_size", min_size)
+    result = _arrays.result_for(picture, out)
+    if picture.dtype == bool:
+        labels, (objects, _) = _images.numbered_objects(picture, 4 * connectivity)
+        areas = np.append(0, objects["area"])
+    else:
+        labels, areas = picture, np.bincount(picture.ravel())
+    np.multiply(picture, (areas >= least)[labels], out=result, casting="unsafe")
+    return result
+
+
+def remove_small_holes(ar: npt.ArrayLike, area_threshold: float = 64, connectivity: int = 1, *,
+                       out: npt.NDArray[np.bool_] | None = None) -> npt.NDArray[np.bool_]:
+    """Fill background below an area as `skimage.morphology.remove_small_holes` does in 2-D, pixel for pixel.
+
+    Parameters
+    ----------
+    ar : array of bool or of integers, shape (H, W)
+        Nonzero is foreground.
+    area_threshold : number
+        The area of the smallest component of background that stays, also of those at the border.
+    connectivity : {1, 2}
+        Of background: pixels have 4 or 8 neighbours.
+    out : array of bool, optional
+        Receives the result; may be `ar`.
+
+    Returns
+    -------
+    array of bool, shape (H, W)
+
+    Raises
+    ------
+    NotImplementedError
+        For other than two dimensions, which are in scikit-image.
+    TypeError, ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import skimage
+    >>> print(skimage.remove_small_holes(np.array([[1, 0, 1, 0, 0]], bool), 2)[0])
+    [ True  True  True False False]
+    """
+    picture = _of_objects(ar, "skimage.morphology.remove_small_holes")
+    background = picture == 0
+    result: npt.NDArray[np.bool_] = _arrays.result_for(background, out)
+    np.logical_not(remove_small_objects(background, area_threshold, connectivity), out=result)
+    return result
+
+
+def _of_objects(ar: npt.ArrayLike, original: str) -> npt.NDArray[Any]:
+    picture = _inputs.picture_of(ar, "ar", original)
+    if picture.dtype.kind not in "biu":
+        raise TypeError(f"ar: expected bool or integers, got {picture.dtype}; `ar > threshold` makes one")
+    if picture.dtype.kind == "i" and picture.size and picture.min() < 0:
+        raise ValueError(f"ar: expected labels of at least 0, got {picture.min()}; `skimage.label` makes them")
+    return picture
+
+
+def regionprops_table(label_image: npt.ArrayLike, intensity_image: npt.ArrayLike | None = None,
                       properties: Sequence[str] = ("label", "bbox"), *, cache: bool = True,
                       separator: str = "-", extra_properties: None = None) -> dict[str, npt.NDArray[Any]]:
-    """Measure labels as `skimage.measure.regionprops_table` does in 2-D, number for number.
+    """Measure labels as `skimage.measure.regionprops_table` does in 2-D.
 
     Parameters
     ----------
     label_image : array of integers, shape (H, W)
         Labels above 0 are measured. They need be neither consecutive nor connected.
-    intensity_image, extra_properties
+    intensity_image : array of real numbers, shape (H, W), optional
+        What "intensity_max", "intensity_mean", "intensity_min" and "centroid_weighted" measure.
+    extra_properties
         Not here.
-    properties : sequence of {"label", "area", "bbox", "centroid", "euler_number", "area_filled"}
+    properties : sequence of {"label", "area", "area_bbox", "area_filled", "axis_major_length", "axis_minor_length", \
+"bbox", "centroid", "centroid_weighted", "eccentricity", "equivalent_diameter_area", "euler_number", "extent", \
+"inertia_tensor", "inertia_tensor_eigvals", "intensity_max", "intensity_mean", "intensity_min", "orientation", \
+"perimeter"}
         Also by scikit-image's old names, such as "filled_area".
     cache
         Without effect.
@@ -181,16 +291,17 @@ def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
     Returns
     -------
     dict of arrays
-        One element per label in ascending order, of int64, for "centroid" of float64. 8-connected objects
-        and 4-connected holes count for "euler_number"; "area_filled" has 4-connected objects.
+        One element per label in ascending order: scikit-image's numbers, those of float64 that come from sums of
+        squares, roots or real intensities but for rounding. 8-connected objects and 4-connected holes count for
+        "euler_number"; "area_filled" has 4-connected objects. "orientation" is pi / 4 or -pi / 4 where rows and
+        columns vary alike, as of discs; there scikit-image's comes from rounding.
 
     Raises
     ------
     NotImplementedError
-        For other properties, for an intensity image and for other than two dimensions, which are in
-        scikit-image.
-    TypeError
-        If the labels are not integers.
+        For other properties and for other than two dimensions, which are in scikit-image.
+    TypeError, ValueError
+        If the labels are not integers, and if the intensities have another shape or are needed but not given.
 
     Examples
     --------
@@ -204,6 +315,9 @@ def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
     picture = _inputs.picture_of(label_image, "label_image", name)
     if picture.dtype.kind not in "iu":
         raise TypeError(f"label_image: expected integers, got {picture.dtype}; `skimage.label` makes them")
-    if intensity_image is not None or extra_properties is not None:
-        raise NotImplementedError(f"intensity_image, extra_properties: not here; use {name}")
-    return _label_tables.measured(picture, properties, separator, name)
+    if extra_properties is not None:
+        raise NotImplementedError(f"extra_properties: not here; use {name}")
+    intensities = None if intensity_image is None else _inputs.picture_of(intensity_image, "intensity_image", name)
+    if intensities is not None and intensities.shape != picture.shape:
+        raise ValueError(f"intensity_image: expected shape {picture.shape}, got {intensities.shape}")
+    return _label_tables.measured(picture, intensities, properties, separator, name)
