@@ -177,11 +177,7 @@ async function save(kind) {
 
 const canvases = [element("before"), element("after")];
 const fitting = () => Math.min(canvases[0].width / size.width, canvases[0].height / size.height);
-
-function fit() {
-  view.scale = 0;
-  draw();
-}
+const fit = () => zoom(0);
 
 function zoom(factor, x = view.x, y = view.y) {
   const scale = Math.min(Math.max(view.scale * factor, fitting()), 64);
@@ -268,11 +264,9 @@ function drag(event) {
   pointers.set(event.pointerId, event);
 }
 
-const shortcuts = {
-  "+": () => zoom(1.5), "=": () => zoom(1.5), "-": () => zoom(1 / 1.5), "0": fit,
-  ArrowLeft: () => move(-60, 0), ArrowRight: () => move(60, 0),
-  ArrowUp: () => move(0, -60), ArrowDown: () => move(0, 60),
-};
+const shortcuts = {"+": () => zoom(1.5), "=": () => zoom(1.5), "-": () => zoom(1 / 1.5), "0": fit,
+                   ArrowLeft: () => move(-60, 0), ArrowRight: () => move(60, 0),
+                   ArrowUp: () => move(0, -60), ArrowDown: () => move(0, 60)};
 
 for (const canvas of canvases) {
   canvas.addEventListener("pointerdown", event => {
@@ -311,14 +305,13 @@ element("file").onchange = ({target}) => {
   target.value = "";
 };
 addEventListener("paste", ({clipboardData}) => readFirst(clipboardData.files, "The clipboard holds no picture."));
-const mark = isDragged => document.body.classList.toggle("dragged", isDragged);
-addEventListener("dragover", event => { event.preventDefault(); mark(true); });
-addEventListener("dragleave", ({relatedTarget}) => relatedTarget || mark(false));
-addEventListener("drop", event => {
-  event.preventDefault();
-  mark(false);
-  readFirst(event.dataTransfer.files, "What was dropped is no file.");
-});
+for (const kind of ["dragover", "dragleave", "drop"]) {
+  addEventListener(kind, event => {
+    event.preventDefault();
+    document.body.classList.toggle("dragged", kind === "dragover");
+    if (kind === "drop") readFirst(event.dataTransfer.files, "What was dropped is no file.");
+  });
+}
 
 startWorker();
 ask("names").then(({rules, edgeOperators}) => {

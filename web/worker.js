@@ -177,10 +177,10 @@ function pixelsOf(codes, facts) {
 
 function regions(request, facts, warnings) {
   const {binary, mask} = binarised(request, facts, warnings);
-  const labels = image(4);
+  const labels = image(4), count = allocate(4);
   const withHoles = request.operation === "holes";
   const time = timed(() => withHoles ? made("regions_destroy", "label_regions", binary, labels, 0)
-    : call("label_image", binary, labels, 8, 0, 0, 0));
+    : call("label_image", binary, labels, 8, 0, 0, count));
   const objects = withHoles ? list("regions_objects", time.result, 48) : objectsOf(binary);
   const holes = withHoles ? list("regions_holes", time.result, 48) : {count: 0};
   const area = (region, i) => Number(region.view.getBigInt64(48 * i, true));
