@@ -28,7 +28,7 @@ class Diameter {
     longest_ = 0;
     search(first);
     Nodes nodes = paths_.reached();
-    std::ranges::sort(nodes);
+    std::sort(nodes.begin(), nodes.end());
     search(paths_.reached().back());
     search(paths_.reached().back());
     if (is_tree) {
@@ -63,12 +63,15 @@ class Diameter {
     const auto may_be_longer = [&](std::uint32_t node) {
       return most_[node] > longest_ * (1 + kRounding);
     };
+    const auto by = [](const std::vector<double>& bounds) {
+      return [&bounds](auto a, auto b) { return bounds[a] < bounds[b]; };
+    };
     Nodes open = nodes;
     for (bool central = true;; central = !central) {
       std::erase_if(open, [&](std::uint32_t node) { return !may_be_longer(node); });
       if (open.empty()) return;
-      search(central ? *std::ranges::min_element(open, {}, [&](auto v) { return least_[v]; })
-                     : *std::ranges::max_element(open, {}, [&](auto v) { return most_[v]; }));
+      search(central ? *std::min_element(open.begin(), open.end(), by(least_))
+                     : *std::max_element(open.begin(), open.end(), by(most_)));
     }
   }
 
@@ -78,8 +81,9 @@ class Diameter {
       if (!is_longest(least_[node])) search(node);
       if (!is_longest(least_[node])) continue;
       paths_.search(node);
-      const auto last = std::ranges::find_if(
-          nodes, [&](std::uint32_t other) { return is_longest(paths_.distance(other)); });
+      const auto last = std::find_if(nodes.begin(), nodes.end(), [&](std::uint32_t other) {
+        return is_longest(paths_.distance(other));
+      });
       return paths_.path_to(*last);
     }
     return {0, {nodes.front()}, {}};

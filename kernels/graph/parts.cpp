@@ -63,7 +63,7 @@ struct LinePixel {
 std::optional<LinePixel> find_on_lines(const Graph& graph, Pixel pixel) {
   for (std::uint32_t edge = 0; edge < graph.edges.size(); ++edge) {
     const auto pixels = graph.pixels_of(graph.edges[edge]);
-    const auto found = std::ranges::find(pixels, pixel);
+    const auto found = std::find(pixels.begin(), pixels.end(), pixel);
     if (found == pixels.end()) continue;
     return LinePixel{edge, static_cast<std::uint32_t>(found - pixels.begin())};
   }
@@ -100,7 +100,7 @@ Graph split_line(const Graph& graph, const LinePixel& at) {
       continue;
     }
     append_piece(result, split.from, node, std::span(points).first(middle + 1));
-    std::ranges::reverse(points);
+    std::reverse(points.begin(), points.end());
     append_piece(result, split.to, node, std::span(points).first(points.size() - middle));
   }
   return result;
@@ -137,7 +137,8 @@ Graph subgraph(const Graph& graph, std::span<const std::uint32_t> edges) {
 Graph split_graph(const Graph& graph, std::span<const Pixel> pixels) {
   Graph result = graph;
   for (const Pixel pixel : pixels) {
-    if (std::ranges::find(result.node_pixels, pixel) != result.node_pixels.end()) continue;
+    const auto& nodes = result.node_pixels;
+    if (std::find(nodes.begin(), nodes.end(), pixel) != nodes.end()) continue;
     const auto at = find_on_lines(result, pixel);
     detail::require(at.has_value(), "nodes: expected pixels of the skeleton, got row " +
                                         std::to_string(pixel.y) + ", column " +
