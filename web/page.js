@@ -33,10 +33,7 @@ const ask = (kind, request) => new Promise((...settle) => {
   worker.postMessage({id: nextId, kind, request});
 });
 
-function say(text, failed = false) {
-  status.textContent = text;
-  status.classList.toggle("failed", failed);
-}
+const say = (text, kind = "") => Object.assign(status, {textContent: text, className: kind});
 
 /** The size, from the header, before all pixels are decoded. */
 function measured(blob) {
@@ -65,11 +62,11 @@ async function read(blob) {
   } catch (error) {
     file = size = null;
     document.body.classList.add("empty");
-    say(`${blob.name}: ${error.message}`, true);
+    say(`${blob.name}: ${error.message}`, "failed");
   }
 }
 
-const readFirst = (files, missing) => files.length > 0 ? read(files[0]) : say(missing, true);
+const readFirst = (files, missing) => files.length > 0 ? read(files[0]) : say(missing, "failed");
 
 /** Something to try: a plate with holes, a ring and letters. */
 function sample() {
@@ -110,7 +107,7 @@ function showFields() {
   }
   element("about").textContent = field.rule.selectedOptions[0]?.title;
   element("shown").textContent = level;
-  element("masked").closest("label").hidden = operation === "edges";
+  element("masked").disabled = operation === "edges";
 }
 
 let isRunning = false, isStale = false;  // the latest settings win
@@ -128,7 +125,7 @@ async function refresh() {
   } catch (error) {
     after = null;
     draw();
-    say(error.message, true);
+    say(error.message, "failed");
   } finally {
     isRunning = false;
     document.body.classList.remove("busy");
@@ -158,8 +155,8 @@ function show() {
   const cell = value => typeof value === "number" ? Number(value.toFixed(2)) : value;
   fill("table", [made("tr", ...after.head.split(",").map(column => made("th", column))),
                  ...after.preview.map(row => made("tr", ...row.map(value => made("td", cell(value)))))]);
-  fill("rows", [after.count > 100 ? `the first 100 of ${shown(after.count)} rows` : `${after.count} rows`]);
-  say(after.facts.map(([label, value]) => `${label}: ${shown(value)}`).join(". "));
+  fill("rows", [`rows: ${after.count > 100 ? "the first 100 of " : ""}${shown(after.count)}`]);
+  say(after.facts.map(([label, value]) => `${label}: ${shown(value)}`).join(". "), "shown");
   draw();
 }
 
@@ -171,7 +168,7 @@ async function save(kind) {
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   } catch (error) {
-    say(`${kind.toUpperCase()}: ${error.message}`, true);
+    say(`${kind.toUpperCase()}: ${error.message}`, "failed");
   }
 }
 
@@ -291,15 +288,15 @@ element("in").onclick = () => zoom(1.5);
 element("out").onclick = () => zoom(1 / 1.5);
 element("fit").onclick = fit;
 element("over").onchange = draw;
-element("masked").onchange = refresh;
 element("sample").onclick = sample;
 for (const kind of ["png", "svg", "csv"]) element(kind).onclick = () => save(kind);
 form.onsubmit = event => event.preventDefault();
-form.oninput = event => {
+addEventListener("input", ({target}) => {
+  if (target.form !== form) return;
   showFields();
-  if (event.target.name === "channel" && file) read(file);
+  if (target.name === "channel" && file) read(file);
   else refresh();
-};
+});
 element("file").onchange = ({target}) => {
   if (target.files.length > 0) read(target.files[0]);
   target.value = "";
@@ -322,5 +319,6 @@ ask("names").then(({rules, edgeOperators}) => {
   }
   field.rule.value = "guo_hall";
   for (const operator of edgeOperators) field.edge.append(new Option(operator));
+  field.edge.value = "sobel";
   showFields();
-}).catch(error => say(`This browser cannot run the page: ${error.message}`, true));
+}).catch(error => say(`This browser cannot run the page: ${error.message}`, "failed"));

@@ -69,7 +69,7 @@ class Page:
         assert not self.failed(), self.status()
 
     def status(self) -> str:
-        return str(self.find("status").text)
+        return str(self.find("status").get_attribute("textContent"))
 
     def failed(self) -> bool:
         return "failed" in self.find("status").get_attribute("class")
@@ -128,7 +128,7 @@ def discs(width: int, height: int, seed: int) -> Any:
     image = np.full((height, width), 30.0)
     for _ in range(12):
         distance = np.hypot(x - random.uniform(0, width), y - random.uniform(0, height))
-        image = np.maximum(image, 220 / (1 + np.exp(distance - random.uniform(4, 30))))
+        image = np.maximum(image, 220 / (1 + np.exp(np.minimum(distance - random.uniform(4, 30), 50))))
         image = np.where(distance < random.uniform(0, 6), 20, image)
     return (image + random.uniform(0, 12, image.shape)).astype(np.uint8)
 
