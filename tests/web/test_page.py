@@ -360,7 +360,7 @@ def test_a_picture_is_pasted_or_dropped(page, event):
     page.open()
     page.driver.execute_async_script("""
         const done = arguments[1], canvas = new OffscreenCanvas(60, 40), context = canvas.getContext('2d');
-        context.fillStyle = '#fff';
+        context.fillStyle = '#000';
         context.fillRect(10, 10, 30, 12);
         canvas.convertToBlob().then(blob => {
           const data = new DataTransfer();
