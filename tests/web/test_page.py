@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
@@ -380,7 +381,7 @@ def test_all_of_it_works_by_keyboard(page, files):
     page.until("size && after")
     reached = set()
     for _ in range(40):
-        page.driver.switch_to.active_element.send_keys(Keys.TAB)
+        ActionChains(page.driver).send_keys(Keys.TAB).perform()
         reached.add(page.driver.switch_to.active_element.get_attribute("id"))
     assert reached >= {"file", "sample", "thin", "rule", "prune", "foreground", "method", "channel", "out", "fit",
                        "in", "png", "svg", "csv", "masked", "over", "before", "after"}
