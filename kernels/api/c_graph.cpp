@@ -166,7 +166,7 @@ thinbench_status thinbench_edge_widths(const thinbench_graph* graph,
     const auto found =
         edge_widths(*graph, reals_of(distances, "distances"), execution_of(execution));
     if (!found.empty()) require_pointer(widths, "widths");
-    std::ranges::copy(found, reinterpret_cast<EdgeWidths*>(widths));
+    std::copy(found.begin(), found.end(), reinterpret_cast<EdgeWidths*>(widths));
   });
 }
 
@@ -178,7 +178,7 @@ thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
     if (count > 0) require_pointer(kept, "kept");
     const std::vector<Pixel> result =
         polyline(span_of<Pixel>(points, count, "points"), tolerance, spacing_of(spacing));
-    std::ranges::copy(result, reinterpret_cast<Pixel*>(kept));
+    std::copy(result.begin(), result.end(), reinterpret_cast<Pixel*>(kept));
     *kept_count = result.size();
   });
 }

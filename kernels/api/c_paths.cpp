@@ -74,7 +74,8 @@ thinbench_status thinbench_components_of(uint32_t nodes, const thinbench_link* l
                                          size_t link_count, uint32_t* components) {
   return guarded([&] {
     if (nodes > 0) require_pointer(components, "components");
-    std::ranges::copy(components_of(nodes, links_of(links, link_count)), components);
+    const std::vector<std::uint32_t> found = components_of(nodes, links_of(links, link_count));
+    std::copy(found.begin(), found.end(), components);
   });
 }
 
@@ -107,7 +108,7 @@ thinbench_status thinbench_find_path(const thinbench_image* free,
     const std::optional<FoundPath> path =
         find_path(image_of(free, "free"), request_of(request), execution_of(execution));
     if (path) {
-      std::ranges::copy(path->pixels, reinterpret_cast<Pixel*>(pixels));
+      std::copy(path->pixels.begin(), path->pixels.end(), reinterpret_cast<Pixel*>(pixels));
       result.count = path->pixels.size();
       result.length = path->length;
       result.min_width = path->min_width;

@@ -148,7 +148,8 @@ std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
   static auto& entries = *new std::list<Entry>;  // the last used first
   const std::lock_guard lock(mutex);
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
-    return entry.effort == effort && std::ranges::equal(entry.tables, tables);
+    return entry.effort == effort &&
+           std::equal(entry.tables.begin(), entry.tables.end(), tables.begin(), tables.end());
   });
   if (found != entries.end()) {
     entries.splice(entries.begin(), entries, found);

@@ -62,7 +62,7 @@ std::unordered_map<LabelValue, Colour> colours_of(const Pairs& pairs) {
   for (const LabelValue label : labels) {
     taken.clear();
     for (const LabelValue neighbour : lower_neighbours[label]) taken.push_back(colours[neighbour]);
-    std::ranges::sort(taken);
+    std::sort(taken.begin(), taken.end());
     Colour free = 1;
     for (const Colour colour : taken) free += colour == free ? 1 : 0;
     colours[label] = free;

@@ -239,7 +239,7 @@ template <std::size_t depth, bool has_border, class Visitor>
   std::uint64_t* changes = list.changes;
   const std::uint32_t* const last = list.tiles + list.count;
   for (const std::uint32_t* tile = list.tiles; tile < last;) {
-    const std::uint32_t* const end = tile + std::min(prefetcher.group(), last - tile);
+    const std::uint32_t* const end = tile + std::min<Index>(prefetcher.group(), last - tile);
     for (; tile < end; ++tile, ++changes) {
       const std::uint32_t number = *tile;
       const Index current = has_border ? number & ~kBorderTile : number;

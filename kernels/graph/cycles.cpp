@@ -24,7 +24,8 @@ std::vector<Link> spanning_forest(std::uint32_t nodes, std::span<const Link> lin
                                   Numbers& in_forest, Numbers& closing) {
   Numbers order(links.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return links[i].length; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return links[a].length < links[b].length; });
   Numbers parents = nodes_alone(nodes);
   for (const std::uint32_t i : order) {
     const bool are_joined = detail::find_root(parents.data(), links[i].from) ==
@@ -32,7 +33,7 @@ std::vector<Link> spanning_forest(std::uint32_t nodes, std::span<const Link> lin
     (are_joined ? closing : in_forest).push_back(i);
     detail::unite(parents.data(), links[i].from, links[i].to);
   }
-  std::ranges::sort(closing);
+  std::sort(closing.begin(), closing.end());
   std::vector<Link> forest;
   for (const std::uint32_t i : in_forest) forest.push_back(links[i]);
   return forest;

@@ -38,7 +38,7 @@ template <class T>
 std::vector<std::uint32_t> order_by(const std::vector<T>& list, const auto& key) {
   std::vector<std::uint32_t> order(list.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, key);
+  std::stable_sort(order.begin(), order.end(), [&key](auto a, auto b) { return key(a) < key(b); });
   return order;
 }
 

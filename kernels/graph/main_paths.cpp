@@ -33,7 +33,8 @@ struct Line {
   /// Of the point that is farthest from what has these distances: distances grow up to where both
   /// ways are equally long, and shrink beyond.
   [[nodiscard]] double farthest(const EndDistances& ends) const {
-    const auto beyond = std::ranges::upper_bound(points, (ends.to - ends.from + link.length) / 2);
+    const auto beyond =
+        std::upper_bound(points.begin(), points.end(), (ends.to - ends.from + link.length) / 2);
     double distance_there = 0;
     if (beyond != points.end()) distance_there = distance(ends, *beyond);
     if (beyond == points.begin()) return distance_there;
@@ -68,7 +69,7 @@ class Diameter {
     lines_.clear();
     from_.search(first);
     Nodes nodes = from_.reached();
-    std::ranges::sort(nodes);
+    std::sort(nodes.begin(), nodes.end());
     if (!is_tree) add_lines(nodes);
     narrow(from_, first);
     search(from_, from_.reached().back());
@@ -99,7 +100,8 @@ class Diameter {
         if (!line.points.empty()) lines_.push_back(std::move(line));
       }
     }
-    std::ranges::sort(lines_, {}, &Line::number);
+    std::sort(lines_.begin(), lines_.end(),
+              [](const Line& a, const Line& b) { return a.number < b.number; });
   }
 
   [[nodiscard]] static EndDistances ends_of(const Line& line, const ShortestPaths& paths) {
@@ -133,9 +135,11 @@ class Diameter {
     for (bool central = true;; central = !central) {
       std::erase_if(open, [&](std::uint32_t node) { return !is_longer(most_[node]); });
       if (open.empty()) return;
-      search(from_, central
-                        ? *std::ranges::min_element(open, {}, [&](auto v) { return least_[v]; })
-                        : *std::ranges::max_element(open, {}, [&](auto v) { return most_[v]; }));
+      const auto by = [](const std::vector<double>& bounds) {
+        return [&bounds](auto a, auto b) { return bounds[a] < bounds[b]; };
+      };
+      search(from_, central ? *std::min_element(open.begin(), open.end(), by(least_))
+                            : *std::max_element(open.begin(), open.end(), by(most_)));
     }
   }
 
@@ -157,7 +161,8 @@ class Diameter {
         continue;
       }
       const auto widest =
-          std::ranges::max_element(open, {}, [&](const Line* line) { return most_of(*line); });
+          std::max_element(open.begin(), open.end(),
+                           [&](const Line* a, const Line* b) { return most_of(*a) < most_of(*b); });
       search_from_points(**widest, open);
       open.erase(widest);
     }
@@ -228,8 +233,9 @@ class Diameter {
 
   GraphPath longest_from(std::uint32_t node, const Nodes& nodes) {
     from_.search(node);
-    const auto last = std::ranges::find_if(
-        nodes, [&](std::uint32_t other) { return is_longest(from_.distance(other)); });
+    const auto last = std::find_if(nodes.begin(), nodes.end(), [&](std::uint32_t other) {
+      return is_longest(from_.distance(other));
+    });
     if (last != nodes.end()) return from_.path_to(*last);
     for (const Line& line : lines_) {
       const EndDistances ends = ends_of(line, from_);
@@ -248,8 +254,9 @@ class Diameter {
 
   /// The first that is farthest away.
   [[nodiscard]] std::uint32_t first_point(const Line& line, const EndDistances& ends) const {
-    const auto first = std::ranges::find_if(
-        line.points, [&](double point) { return is_longest(line.distance(ends, point)); });
+    const auto first = std::find_if(line.points.begin(), line.points.end(), [&](double point) {
+      return is_longest(line.distance(ends, point));
+    });
     return static_cast<std::uint32_t>(first - line.points.begin());
   }
 

@@ -82,8 +82,8 @@ GraphPath ShortestPaths::path_to(std::uint32_t node) const {
     path.edges.push_back(link);
     path.nodes.push_back(node);
   }
-  std::ranges::reverse(path.edges);
-  std::ranges::reverse(path.nodes);
+  std::reverse(path.edges.begin(), path.edges.end());
+  std::reverse(path.nodes.begin(), path.nodes.end());
   return path;
 }
 

@@ -64,7 +64,7 @@ struct LinePixel {
 std::optional<LinePixel> find_on_lines(const Graph& graph, Pixel pixel) {
   for (std::uint32_t edge = 0; edge < graph.edges.size(); ++edge) {
     const auto pixels = graph.pixels_of(graph.edges[edge]);
-    const auto found = std::ranges::find(pixels, pixel);
+    const auto found = std::find(pixels.begin(), pixels.end(), pixel);
     if (found == pixels.end()) continue;
     return LinePixel{edge, static_cast<std::uint32_t>(found - pixels.begin())};
   }
@@ -101,7 +101,7 @@ Graph split_line(const Graph& graph, const LinePixel& at) {
       continue;
     }
     append_piece(result, split.from, node, std::span(points).first(middle + 1));
-    std::ranges::reverse(points);
+    std::reverse(points.begin(), points.end());
     append_piece(result, split.to, node, std::span(points).first(points.size() - middle));
   }
   return result;
@@ -151,7 +151,8 @@ Graph subgraph(const Graph& graph, std::span<const std::uint32_t> edges) {
 Graph split_graph(const Graph& graph, std::span<const Pixel> pixels) {
   Graph result = graph;
   for (const Pixel pixel : pixels) {
-    if (std::ranges::find(result.node_pixels, pixel) != result.node_pixels.end()) continue;
+    const auto& nodes = result.node_pixels;
+    if (std::find(nodes.begin(), nodes.end(), pixel) != nodes.end()) continue;
     const auto at = find_on_lines(result, pixel);
     detail::require(at.has_value(), "nodes: expected pixels of the skeleton, got row " +
                                         std::to_string(pixel.y) + ", column " +
@@ -191,12 +192,14 @@ GraphPlace nearest_place(const Graph& graph, double x, double y, const Spacing& 
 
 void edge_labels(const Graph& graph, LabelView destination) {
   detail::check(detail::memory_of("destination", destination));
-  const auto [width, height] = std::pair(destination.width, destination.height);
+  const Index width = destination.width;
+  const Index height = destination.height;
+  const auto is_inside = [=](Pixel p) {
+    return p.x >= 0 && p.y >= 0 && p.x < width && p.y < height;
+  };
   for (const auto* pixels : {&graph.node_pixels, &graph.edge_pixels}) {
-    detail::require(
-        std::ranges::all_of(
-            *pixels, [=](Pixel p) { return p.x >= 0 && p.y >= 0 && p.x < width && p.y < height; }),
-        "destination: smaller than the image of the graph");
+    detail::require(std::all_of(pixels->begin(), pixels->end(), is_inside),
+                    "destination: smaller than the image of the graph");
   }
   for (Index y = 0; y < height; ++y) std::fill_n(destination.row(y), width, 0);
   const auto write = [&](std::span<const Pixel> pixels, std::uint32_t label) {

@@ -26,7 +26,8 @@ std::vector<double> positions_of(Pixel start, std::span<const Pixel> line, const
 }
 
 bool are_below(const std::vector<std::uint32_t>& numbers, std::size_t count) {
-  return std::ranges::all_of(numbers, [=](std::uint32_t number) { return number < count; });
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [=](std::uint32_t number) { return number < count; });
 }
 
 /// Whether its numbers are those of nodes, edges and pixels of the graph.
@@ -50,7 +51,7 @@ Pixels part_of(const Graph& graph, const GraphEdge& edge, std::uint32_t node, st
   const double position = positions_of(edge.start, line, spacing).back();
   const bool is_first =
       edge.from == edge.to ? position <= length_of(edge, spacing) - position : edge.from == node;
-  if (!is_first) std::ranges::reverse(points);
+  if (!is_first) std::reverse(points.begin(), points.end());
   points.resize(is_first ? point + std::size_t{2} : points.size() - point - 1);
   return points;
 }
@@ -65,14 +66,14 @@ Pixels pieces_of(const Graph& graph, const GraphPath& path, const Spacing& spaci
   Pixels points;
   if (path.first_point) {
     points = part_of(graph, edge_at(0), path.nodes.front(), *path.first_point, spacing);
-    std::ranges::reverse(points);
+    std::reverse(points.begin(), points.end());
   }
   const auto append = [&](const Pixels& more) {
     points.insert(points.end(), more.begin(), more.end());
   };
   for (std::size_t i = begin; i < end; ++i) {
     Pixels line = points_of(graph, edge_at(i));
-    if (edge_at(i).from != path.nodes[i - begin]) std::ranges::reverse(line);
+    if (edge_at(i).from != path.nodes[i - begin]) std::reverse(line.begin(), line.end());
     append(line);
   }
   if (path.last_point) {
@@ -121,8 +122,7 @@ std::vector<Pixel> points_of(const Graph& graph, const GraphPath& path, const Sp
   }
   if (path.edges.empty()) return {graph.pixels_of(graph.nodes[path.nodes.front()]).front()};
   Pixels points = pieces_of(graph, path, spacing);
-  const auto again = std::ranges::unique(points);
-  points.erase(again.begin(), again.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
 

@@ -71,9 +71,10 @@ std::vector<Pixel> chain(Iterator begin, Iterator end) {
 std::vector<Pixel> convex_hull(const std::vector<Pixel>& sorted) {
   const std::vector<Pixel> below = chain(sorted.begin(), sorted.end());
   std::vector<Pixel> above = chain(sorted.rbegin(), sorted.rend());
-  std::ranges::reverse(above);
+  std::reverse(above.begin(), above.end());
   std::vector<Pixel> hull;
-  std::ranges::set_union(below, above, std::back_inserter(hull), is_before);
+  std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(hull),
+                 is_before);
   return hull;
 }
 
@@ -124,7 +125,7 @@ class FarthestPoint {
       for (const std::size_t half : {2 * block, 2 * block + 1}) {
         both.insert(both.end(), corners(below, half).begin(), corners(below, half).end());
       }
-      std::ranges::sort(both, is_before);
+      std::sort(both.begin(), both.end(), is_before);
       level[block] = convex_hull(both);
     }
     hulls_.push_back(std::move(level));

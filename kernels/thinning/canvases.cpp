@@ -21,7 +21,7 @@ std::vector<CanvasGroup> groups_of(const std::vector<Canvas>& canvases) {
   const Canvas* const end = canvases.data() + canvases.size();
   for (const Canvas* first = canvases.data(); first != end;) {
     const Index room = std::max<Index>(1, bytes / (first->width * first->height));
-    const Canvas* const last = end_of_size(first, first + std::min(room, end - first));
+    const Canvas* const last = end_of_size(first, first + std::min<Index>(room, end - first));
     groups.emplace_back(first, last);
     first = last;
   }

@@ -9,7 +9,7 @@
 namespace thinbench {
 
 /// Sizes, coordinates and strides. Signed, so that `y - 1` is safe to write.
-using Index = std::ptrdiff_t;
+using Index = std::int64_t;
 
 /// An image: pixel (x, y) is `data[y * stride + x]`; y points down. `stride` is the distance
 /// between rows in pixels. It may exceed the width, so a view can show part of a larger image. A
