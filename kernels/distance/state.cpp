@@ -22,9 +22,9 @@ Index stride_of(Index width) {
 }
 
 /// A strip for each thread, or more.
-Index strip_height(const DistanceSetting& setting) {
+Index strip_height(const DistanceSetting& setting, int threads) {
   const Index fitting = kStripBytes / 2 / std::max<Index>(stride_of(setting.width), 1);
-  const Index share = (setting.height + setting.threads - 1) / setting.threads;
+  const Index share = (setting.height + threads - 1) / threads;
   return std::max(kMinStripHeight, std::min(fitting, share));
 }
 
@@ -45,14 +45,14 @@ DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetti
     : kernels_(kernels),
       team_(setting.threads),
       stride_(stride_of(setting.width)),
-      strip_height_(strip_height(setting)),
+      strip_height_(strip_height(setting, team_.threads())),
       strips_((setting.height + strip_height_ - 1) / strip_height_),
       vertical_(make_uninitialised<std::uint16_t>(static_cast<std::size_t>(
-          stride_ * std::min(strip_height_, setting.height) * setting.threads))),
+          stride_ * std::min(strip_height_, setting.height) * team_.threads()))),
       edges_(make_uninitialised<std::uint16_t>(
           static_cast<std::size_t>(2 * (strips_ + 2) * stride_))) {
-  rows_.reserve(static_cast<std::size_t>(setting.threads));
-  for (int i = 0; i < setting.threads; ++i) rows_.emplace_back(setting.width);
+  rows_.reserve(static_cast<std::size_t>(team_.threads()));
+  for (int i = 0; i < team_.threads(); ++i) rows_.emplace_back(setting.width);
   if (strips_ == 0) return;
   constexpr std::uint16_t far = kFarVertically - 1;  // a step from far
   std::fill_n(edges_of(0).above, stride_, far);

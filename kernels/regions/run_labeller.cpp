@@ -105,12 +105,12 @@ bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index 
 }
 
 RunLabeller::RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width,
-                         Index height, int threads)
+                         Index height, const ThreadTeam& team)
     : label_rows_(with_holes ? engine.holes : engine.objects),
       with_holes_(with_holes),
       isa_(isa),
-      team_(threads) {
-  const Index bands = std::min<Index>(threads, height);
+      team_(team) {
+  const Index bands = std::min<Index>(team.threads(), height);
   for (Index band = 0; band < bands; ++band) bands_.emplace_back(width);
 }
 
@@ -118,7 +118,9 @@ void RunLabeller::find(const ConstBitPlaneView& image, Regions& found) {
   if (bands_.empty()) return;
   if (!label_bands(image)) {
     const LabelTask task = with_holes_ ? LabelTask::regions : LabelTask::objects_eight;
-    if (!contacts_) contacts_.emplace(LabelParameters{task}, isa_, image.width, image.height);
+    if (!contacts_) {
+      contacts_.emplace(LabelParameters{task}, isa_, image.width, image.height, team_);
+    }
     contacts_->find(image, found);
     return;
   }

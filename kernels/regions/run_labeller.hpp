@@ -37,9 +37,9 @@ class RunBand {
 /// noise, they are found by contacts of runs.
 class RunLabeller {
  public:
-  /// By one of the two kernels of `engine`.
+  /// By one of the two kernels of `engine`. The team must outlive this.
   RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width, Index height,
-              int threads);
+              const ThreadTeam& team);
 
   /// Lists objects and, if asked for, holes. Throws std::bad_alloc.
   void find(const ConstBitPlaneView& image, Regions& found);
@@ -51,7 +51,7 @@ class RunLabeller {
   LabelRows label_rows_;
   bool with_holes_;
   Isa isa_;
-  ThreadTeam team_;
+  const ThreadTeam& team_;
   std::deque<RunBand> bands_;
   std::optional<ContactLabeller> contacts_;  // once they are needed
 };
