@@ -217,13 +217,19 @@ Label ContactLabeller::join_strips(Regions& found) {
     numbers_[offsets_[i]] = 0;  // there is one outside
     strips_[i].join(strips_[i - 1], offsets_[i - 1], offsets_[i], numbers_.data());
   }
-  const Label objects = number_labels();
-  if (task_ >= LabelTask::objects_eight) sum_regions(objects, found);
+  const auto [objects, labels] = number_labels();
+  if (task_ >= LabelTask::objects_eight) {
+    found.objects.clear();
+    found.holes.clear();
+    found.objects.reserve(objects);
+    found.holes.reserve(labels - objects);
+    sum_regions(objects, found);
+  }
   return objects;
 }
 
 /// Objects first. A parent precedes its label, so it has its number when the label is visited.
-Label ContactLabeller::number_labels() {
+ContactLabeller::Count ContactLabeller::number_labels() {
   Label count = 0;
   const auto number = [&](Label first, Label last) {
     for (Label label = first; label < last; ++label) {
@@ -238,12 +244,10 @@ Label ContactLabeller::number_labels() {
   for (std::size_t i = 0; i < strips_.size(); ++i) {
     number(offsets_[i] + strips_[i].objects() + 1, offsets_[i] + strips_[i].labels() + 1);
   }
-  return objects;
+  return {objects, count};
 }
 
 void ContactLabeller::sum_regions(Label objects, Regions& found) const {
-  found.objects.clear();
-  found.holes.clear();
   for (std::size_t i = 0; i < strips_.size(); ++i) {
     const ContactStrip& strip = strips_[i];
     const Label* const numbers = numbers_.data() + offsets_[i];

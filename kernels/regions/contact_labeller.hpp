@@ -124,7 +124,11 @@ class ContactLabeller {
   template <class Body>
   void for_strips(const Body& body);
   Label join_strips(Regions& found);
-  Label number_labels();
+  struct Count {
+    Label objects;
+    Label labels;  // with holes
+  };
+  Count number_labels();
   void sum_regions(Label objects, Regions& found) const;
 
   LabelTask task_;
