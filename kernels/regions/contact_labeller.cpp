@@ -114,33 +114,18 @@ void ContactStrip::find(const ConstBitPlaneView& rows, const StripEnds& ends) {
   objects_ = parameters_.order == LabelOrder::opencv ? number_in_order(runs_, 0, count, 0)
                                                      : kernels_.number(rows, runs_);
   labels_ = objects_;
-  if (parameters_.task == LabelTask::regions) {
-    find_holes(ends);
-  } else if (parameters_.task >= LabelTask::objects_eight) {
-    regions_.assign(objects_, kNoPixels);
-    kernels_.sum(rows, runs_, regions_.data());
-  }
+  if (!background_runs_) return;
+  background_ = background_runs_->of(rows, Connectivity::four, ends);
+  labels_ = engine_.holes.number(background_, objects_);
 }
 
-void ContactStrip::find_holes(const StripEnds& ends) {
-  background_ = background_runs_->of(rows_, Connectivity::four, ends);
-  labels_ = engine_.holes.number(background_, objects_);
-  regions_.assign(labels_ + std::size_t{1}, kNoPixels);
+void ContactStrip::sum(Region* regions) {
+  if (!background_runs_) return kernels_.sum(rows_, runs_, regions);
   // Between two runs of a row in the foreground is one in the background.
   const auto rows = static_cast<std::size_t>(rows_.height);
   ids_.resize(2 * std::size_t{background_.runs.first[rows]} + rows + 2 * std::size_t{kRunPadding});
-  ids_end_ = engine_.holes.sum({rows_, runs_, objects_}, background_, regions_.data(),
-                               ids_.data() + kRunPadding);
-}
-
-void ContactStrip::list(Regions& found) {
-  if (background_runs_) {
-    const auto first_hole = regions_.begin() + 1 + static_cast<std::ptrdiff_t>(objects_);
-    found.objects.assign(regions_.begin() + 1, first_hole);
-    found.holes.assign(first_hole, regions_.end());
-  } else {
-    found.objects.swap(regions_);
-  }
+  ids_end_ =
+      engine_.holes.sum({rows_, runs_, objects_}, background_, regions, ids_.data() + kRunPadding);
 }
 
 void ContactStrip::join(const ContactStrip& above, Label offset_above, Label offset,
@@ -199,33 +184,40 @@ Label ContactLabeller::find(const ConstBitPlaneView& image, Regions& found) {
     strips_[i].find(rows_of_view(image, first_rows_[i], first_rows_[i + 1]),
                     {i == 0, i + 1 == strips_.size()});
   });
-  if (strips_.size() > 1) return join_strips(found);
-  if (task_ >= LabelTask::objects_eight) strips_.front().list(found);
-  return strips_.front().objects();
+  offsets_.assign(1, 0);
+  for (const ContactStrip& strip : strips_) {
+    offsets_.push_back(offsets_.back() + strip.labels() + 1);
+  }
+  const bool has_holes = task_ == LabelTask::regions;
+  if (has_holes) sum_strips(regions_);
+  if (!has_holes && task_ >= LabelTask::objects_eight) sum_strips(found.objects);
+  const Count count = strips_.size() > 1
+                          ? join_strips()
+                          : Count{strips_.front().objects(), strips_.front().labels()};
+  if (has_holes) list_regions(count, found);
+  if (!has_holes && task_ >= LabelTask::objects_eight) list_objects(count.objects, found.objects);
+  return count.objects;
 }
 
-Label ContactLabeller::join_strips(Regions& found) {
-  offsets_.clear();
-  Label next = 0;
-  for (const ContactStrip& strip : strips_) {
-    offsets_.push_back(next);
-    next += strip.labels() + 1;
-  }
-  numbers_.resize(next);
+void ContactLabeller::sum_strips(std::vector<Region>& regions) {
+  regions.assign(offsets_.back(), kNoPixels);
+  for_strips([&](std::size_t i) {
+    Region* const first = regions.data() + offsets_[i];
+    strips_[i].sum(first);
+    for (Label label = 0; i > 0 && label <= strips_[i].labels(); ++label) {
+      move_down(first[label], first_rows_[i]);
+    }
+  });
+}
+
+ContactLabeller::Count ContactLabeller::join_strips() {
+  numbers_.resize(offsets_.back());
   std::iota(numbers_.begin(), numbers_.end(), Label{0});
   for (std::size_t i = 1; i < strips_.size(); ++i) {
     numbers_[offsets_[i]] = 0;  // there is one outside
     strips_[i].join(strips_[i - 1], offsets_[i - 1], offsets_[i], numbers_.data());
   }
-  const auto [objects, labels] = number_labels();
-  if (task_ >= LabelTask::objects_eight) {
-    found.objects.clear();
-    found.holes.clear();
-    found.objects.reserve(objects);
-    found.holes.reserve(labels - objects);
-    sum_regions(objects, found);
-  }
-  return objects;
+  return number_labels();
 }
 
 /// Objects first. A parent precedes its label, so it has its number when the label is visited.
@@ -247,20 +239,46 @@ ContactLabeller::Count ContactLabeller::number_labels() {
   return {objects, count};
 }
 
-void ContactLabeller::sum_regions(Label objects, Regions& found) const {
+/// In place: a number is not above its label.
+void ContactLabeller::list_objects(Label objects, std::vector<Region>& regions) const {
+  Label count = 0;
+  const std::size_t joined = strips_.size() > 1 ? strips_.size() : 0;
+  for (std::size_t i = 0; i < joined; ++i) {
+    for (Label label = 1; label <= strips_[i].labels(); ++label) {
+      const Label number = numbers_[offsets_[i] + label];
+      const Region& part = regions[offsets_[i] + label - 1];
+      if (number > count) {
+        regions[count++] = part;
+      } else {
+        add_region(regions[number - 1], part);
+      }
+    }
+  }
+  regions.resize(objects);
+}
+
+void ContactLabeller::list_regions(const Count& count, Regions& found) const {
+  if (strips_.size() == 1) {
+    const auto first_hole = regions_.begin() + 1 + static_cast<std::ptrdiff_t>(count.objects);
+    found.objects.assign(regions_.begin() + 1, first_hole);
+    found.holes.assign(first_hole, regions_.end());
+    return;
+  }
+  found.objects.clear();
+  found.holes.clear();
+  found.objects.reserve(count.objects);
+  found.holes.reserve(count.labels - count.objects);
   for (std::size_t i = 0; i < strips_.size(); ++i) {
-    const ContactStrip& strip = strips_[i];
     const Label* const numbers = numbers_.data() + offsets_[i];
-    for (Label label = 1; label <= strip.labels(); ++label) {
+    for (Label label = 1; label <= strips_[i].labels(); ++label) {
       const Label number = numbers[label];
       if (number == 0) continue;
-      Region part = strip.region(label);
-      move_down(part, first_rows_[i]);
+      Region part = regions_[offsets_[i] + label];
       part.enclosing_object = numbers[part.enclosing_object];
-      if (number <= objects) {
+      if (number <= count.objects) {
         add_to_list(found.objects, number - 1, part);
       } else {
-        add_to_list(found.holes, number - objects - 1, part);
+        add_to_list(found.holes, number - count.objects - 1, part);
       }
     }
   }

@@ -72,12 +72,9 @@ class ContactStrip {
   [[nodiscard]] Label objects() const { return objects_; }
   /// Objects and holes.
   [[nodiscard]] Label labels() const { return labels_; }
-  /// The region of a label in tasks with lists; rows count from the first one of the strip.
-  [[nodiscard]] const Region& region(Label label) const {
-    return regions_[label - (background_runs_ ? 0 : 1)];
-  }
-  /// Sets the lists that the task has, if this is the whole image. May be called once.
-  void list(Regions& found);
+  /// Adds all pixels to the regions of the labels, in tasks with lists: label 1 is the first of
+  /// those, or with holes the second after what is outside. Rows count from the first of the strip.
+  void sum(Region* regions);
 
   /// Unites the labels of what touches across the seam with the strip above. In `parents` label 0
   /// of each strip is at its offset.
@@ -87,8 +84,6 @@ class ContactStrip {
   void paint(const LabelView& labels) const;
 
  private:
-  void find_holes(const StripEnds& ends);
-
   const LabelEngine& engine_;
   const LabelKernels& kernels_;
   LabelParameters parameters_;
@@ -97,7 +92,6 @@ class ContactStrip {
   RunForest runs_ = {};
   Label objects_ = 0;
   Label labels_ = 0;
-  std::vector<Region> regions_;  // objects; with holes: outside, objects, holes
   // With holes only:
   std::optional<BackgroundRuns> background_runs_;
   Background background_ = {};
@@ -123,13 +117,16 @@ class ContactLabeller {
   /// Calls `body(number of the strip)`; threads share the strips.
   template <class Body>
   void for_strips(const Body& body);
-  Label join_strips(Regions& found);
   struct Count {
     Label objects;
     Label labels;  // with holes
   };
+  Count join_strips();
   Count number_labels();
-  void sum_regions(Label objects, Regions& found) const;
+  /// The sums of all strips, from label 0 of the first on.
+  void sum_strips(std::vector<Region>& regions);
+  void list_objects(Label objects, std::vector<Region>& regions) const;
+  void list_regions(const Count& count, Regions& found) const;
 
   LabelTask task_;
   const ThreadTeam& team_;
@@ -137,7 +134,8 @@ class ContactLabeller {
   std::vector<Index> first_rows_;  // of each strip, then the height
   // With several strips: for each label of each strip an earlier one or the same, then its number.
   std::vector<Label> numbers_;
-  std::vector<Label> offsets_;  // of each strip's label 0, which is outside
+  std::vector<Label> offsets_;   // of each strip's label 0, which is outside
+  std::vector<Region> regions_;  // with holes: of all labels
 };
 
 }  // namespace thinbench::detail

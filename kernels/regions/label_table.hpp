@@ -43,12 +43,13 @@ struct LabelTables {
   region.bottom = static_cast<std::int32_t>(y);
 }
 
-/// Adds a part of the same region that begins later.
+/// Adds a part of the same region; what encloses it remains.
 [[gnu::always_inline]] inline void add_region(Region& sum, const Region& part) {
   sum.area += part.area;
   sum.sum_x += part.sum_x;
   sum.sum_y += part.sum_y;
   if (part.left < sum.left) sum.left = part.left;
+  if (part.top < sum.top) sum.top = part.top;
   if (part.right > sum.right) sum.right = part.right;
   if (part.bottom > sum.bottom) sum.bottom = part.bottom;
 }

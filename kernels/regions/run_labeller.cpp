@@ -84,11 +84,10 @@ RunBand::RunBand(Index width)
   }
 }
 
-bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
-                    Index patience) {
+bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
   labels_.clear();
   labelling_.tables = labels_.tables();
-  labelling_.patience = patience;
+  labelling_.patience = kPatience;
   label_first_row(image, first, labelling_);
   const RunRow& row = labelling_.above;
   first_row_.count = row.count;
@@ -138,13 +137,11 @@ void RunLabeller::find(const ConstBitPlaneView& image, Regions& found) {
 bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
   std::atomic<bool> is_done = true;
   const auto count = static_cast<Index>(bands_.size());
-  // Contacts take one thread.
-  const Index patience = with_holes_ && count > 1 ? kEndlessPatience : kPatience;
   team_.for_ranges(count, [&](Index first, Index last) {
     for (Index band = first; band < last; ++band) {
       RunBand& rows = bands_[static_cast<std::size_t>(band)];
       if (!rows.label(label_rows_, image, image.height * band / count,
-                      image.height * (band + 1) / count, patience)) {
+                      image.height * (band + 1) / count)) {
         is_done = false;
       }
     }

@@ -18,8 +18,7 @@ class RunBand {
   explicit RunBand(Index width);
 
   /// Labels rows [first, last) of the image; needs first < last. False if the kernel gave up.
-  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
-             Index patience);
+  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
 
   // Results: the rows at the seams, and the labels.
   [[nodiscard]] RunRow& first_row() { return first_row_; }
