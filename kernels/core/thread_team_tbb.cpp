@@ -3,7 +3,6 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <thread>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -53,6 +52,9 @@ bool has_started() {
   }();
   return started;
 }
+
+/// Its address tells threads apart.
+thread_local char thread_mark = 0;
 
 /// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.
 using Arenas = std::multimap<int, tbb::task_arena>;
@@ -116,7 +118,7 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
   }
   const Index parts = count < threads_ ? count : threads_;
   const void* finished = workers_.get();
-  const std::thread::id caller = std::this_thread::get_id();
+  const char* const caller = &thread_mark;
   publish(body);
   workers_->arena.mapped().execute([=] {
     // Not static_partitioner: it leaves a message for the worker of each part, and where workers
@@ -126,7 +128,7 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
         [=](Index part) {
           receive(body);
           std::optional<WorkerBlocks> blocks;
-          if (std::this_thread::get_id() != caller) blocks.emplace();
+          if (&thread_mark != caller) blocks.emplace();
           invoke_body(body, count * part / parts, count * (part + 1) / parts);
           blocks.reset();
           publish(finished);
