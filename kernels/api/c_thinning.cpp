@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "api/c_arguments.hpp"
+#include "core/thread_team.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/many.hpp"
 #include "thinbench/thinning.hpp"
@@ -87,7 +88,7 @@ thinbench_status thinbench_thin_stack(const thinbench_rule* rule, const thinbenc
     check_views(from, to.view, InPlace::allowed);
     const Execution given = execution_of(execution);
     StackThinner thinner(rule_of(rule), from.width, from.height, thinning_of(thinning), given);
-    report(thin_by_parts(thinner, from, to, given.threads), iterations);
+    report(thin_by_parts(thinner, from, to, available_threads(given.threads)), iterations);
   });
 }
 

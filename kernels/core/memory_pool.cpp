@@ -1,10 +1,12 @@
 #include "core/memory_pool.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <new>
 
 #include "thinbench/memory.hpp"
+#include "thinbench/options.hpp"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -43,17 +45,10 @@ void free_header(Header* header) {
   ::operator delete (header, std::align_val_t{kAlignment});
 }
 
-/// Set when the thread's pool is gone, while other objects of the thread may still free blocks.
-thread_local bool pool_is_gone = false;
-
 /// Blocks in the order in which they came. There are no locks, hence nothing to hold across fork().
 class Pool {
  public:
-  Pool() = default;
-  ~Pool() {
-    release();
-    pool_is_gone = true;
-  }
+  constexpr Pool() = default;
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
@@ -97,38 +92,102 @@ class Pool {
     return removed;
   }
 
-  Header* blocks_[kMaxKeptBlocks];
+  Header* blocks_[kMaxKeptBlocks] = {};
   std::size_t count_ = 0;
   std::size_t bytes_ = 0;
 };
 
-thread_local Pool pool;
+/// Set when the thread's pool is gone, while other objects of the thread may still free blocks.
+thread_local bool pool_is_gone = false;
+
+struct ThreadPool : Pool {
+  ~ThreadPool() {
+    release();
+    pool_is_gone = true;
+  }
+};
+
+thread_local ThreadPool own_pool;
+thread_local Pool* worker_pool = nullptr;  // instead, for a part of a loop
+
+/// The pool of the calling thread, or nullptr.
+Pool* current_pool() {
+  if (worker_pool != nullptr) return worker_pool;
+  return pool_is_gone ? nullptr : &own_pool;
+}
+
+/// Pools of workers, used by who has set the flag. Not destroyed: teams in static variables may
+/// outlive other static variables.
+struct SharedPool {
+  std::atomic<bool> is_used = false;
+  Pool pool;
+
+  [[nodiscard]] bool try_use() {
+    return !is_used.load(std::memory_order_relaxed) &&
+           !is_used.exchange(true, std::memory_order_acquire);
+  }
+  void leave() { is_used.store(false, std::memory_order_release); }
+};
+constexpr std::size_t kSharedPools = kMaxThreads;
+constinit SharedPool shared_pools[kSharedPools];
+std::atomic<std::size_t> shared_pool_count = 0;  // those that have ever been used come first
+
+/// Calls `body(pool)` for the pools of workers that have no work.
+template <class Body>
+void for_idle_pools(const Body& body) {
+  const std::size_t count = shared_pool_count;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!shared_pools[i].try_use()) continue;
+    body(shared_pools[i].pool);
+    shared_pools[i].leave();
+  }
+}
 
 }  // namespace
 
 void* take_block(std::size_t bytes) {
-  Header* const kept = pool_is_gone ? nullptr : pool.take(bytes);
+  Pool* const pool = current_pool();
+  Header* const kept = pool == nullptr ? nullptr : pool->take(bytes);
   return block_of(kept != nullptr ? kept : new_header(bytes));
 }
 
 void give_block(void* block) noexcept {
   if (block == nullptr) return;
   Header* const header = static_cast<Header*>(block) - 1;
-  if (pool_is_gone) {
-    free_header(header);
+  if (Pool* const pool = current_pool()) {
+    pool->give(header);
   } else {
-    pool.give(header);
+    free_header(header);
   }
 }
 
 std::size_t kept_bytes() {
-  return pool_is_gone ? 0 : pool.bytes();
+  const Pool* const pool = current_pool();
+  std::size_t bytes = pool == nullptr ? 0 : pool->bytes();
+  for_idle_pools([&](const Pool& idle) { bytes += idle.bytes(); });
+  return bytes;
+}
+
+WorkerBlocks::WorkerBlocks() noexcept : before_(worker_pool) {
+  while (number_ < kSharedPools && !shared_pools[number_].try_use()) ++number_;
+  if (number_ == kSharedPools) return;  // more than that are busy: this one uses its own
+  std::size_t count = shared_pool_count;
+  while (count <= number_ && !shared_pool_count.compare_exchange_weak(count, number_ + 1)) {
+  }
+  worker_pool = &shared_pools[number_].pool;
+}
+
+WorkerBlocks::~WorkerBlocks() {
+  if (number_ == kSharedPools) return;
+  worker_pool = static_cast<Pool*>(before_);
+  shared_pools[number_].leave();
 }
 
 }  // namespace detail
 
 void release_memory() noexcept {
-  if (!detail::pool_is_gone) detail::pool.release();
+  if (detail::Pool* const pool = detail::current_pool()) pool->release();
+  detail::for_idle_pools([](detail::Pool& idle) { idle.release(); });
 }
 
 }  // namespace thinbench

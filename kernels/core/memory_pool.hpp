@@ -21,7 +21,22 @@ inline constexpr std::size_t kMaxKeptBytes = std::size_t{8} << 20;
 /// another thread than that which took it. Nothing is kept by a thread that ends.
 void give_block(void* block) noexcept;
 
-/// Bytes that the calling thread keeps.
+/// Bytes that release_memory() frees: what the calling thread keeps, and workers of teams that have
+/// no work.
 [[nodiscard]] std::size_t kept_bytes();
+
+/// What the calling thread, a worker of a team, uses instead of its own blocks as long as this
+/// exists: blocks that such a worker has kept, as nobody can free those of other threads.
+class WorkerBlocks {
+ public:
+  WorkerBlocks() noexcept;
+  ~WorkerBlocks();
+  WorkerBlocks(const WorkerBlocks&) = delete;
+  WorkerBlocks& operator=(const WorkerBlocks&) = delete;
+
+ private:
+  void* before_;  // what the thread used
+  std::size_t number_ = 0;
+};
 
 }  // namespace thinbench::detail

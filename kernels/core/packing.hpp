@@ -4,6 +4,7 @@
 
 #include "core/exported.hpp"
 #include "core/plane_view.hpp"
+#include "core/thread_team.hpp"
 
 namespace thinbench::detail {
 
@@ -28,6 +29,15 @@ inline constexpr Features kGainsFrom<PlaneConversion<T>> = feature("avx2") | fea
 template <class T>
 [[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa) {
   return kernels_of<PlaneConversion<T>>(isa);
+}
+
+/// As `read`; threads share the rows.
+template <class T>
+void read_rows(const ThreadTeam& team, const PlaneConversion<T>& conversion,
+               const ConstImageView& source, const PlaneView<T>& target) {
+  team.for_ranges(source.height, [&](Index first, Index last) {
+    conversion.read(rows_of_view(source, first, last), rows_of_view(target, first, last));
+  });
 }
 
 }  // namespace thinbench::detail

@@ -43,4 +43,12 @@ using ConstPlaneView = PlaneView<const T>;
 using ConstBitPlaneView = ConstPlaneView<std::uint64_t>;
 using BitPlaneView = PlaneView<std::uint64_t>;
 
+/// Rows [first, last) of a view.
+template <class View>
+[[nodiscard]] View rows_of_view(View view, Index first, Index last) {
+  view.data = view.row(first);
+  view.height = last - first;
+  return view;
+}
+
 }  // namespace thinbench::detail

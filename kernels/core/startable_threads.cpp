@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -51,18 +52,38 @@ int threads_in_address_space() {
   return 1 + static_cast<int>(std::min<rlim_t>(left / 4 / bytes_per_thread, INT_MAX - 1));
 }
 
+/// The limits of this process that decide how many threads start.
+struct Limits {
+  rlim_t processes;
+  rlim_t address_space;
+
+  bool operator==(const Limits&) const = default;
+};
+
+Limits current_limits() {
+  rlimit processes{};
+  rlimit address_space{};
+  getrlimit(RLIMIT_NPROC, &processes);
+  getrlimit(RLIMIT_AS, &address_space);
+  return {processes.rlim_cur, address_space.rlim_cur};
+}
+
 }  // namespace
 
 // At the limit, half of it is left to the rest of the program and to other programs of the user.
 int startable_threads(int wanted) {
   static std::mutex mutex;
-  static int known = 1;  // the most that have run
+  static int known = 1;                    // the most that have run
+  static std::optional<Limits> failed_at;  // where more did not start
   const std::lock_guard lock(mutex);
   if (wanted <= known) return wanted;
+  const Limits limits = current_limits();
   const int tried = std::min(wanted, threads_in_address_space());
+  if (tried <= known || failed_at == limits) return known;
   const int started = started_threads(tried - 1) + 1;
+  if (started < tried) failed_at = limits;
   known = std::max(known, started == tried ? tried : started / 2);
-  return std::min(wanted, known);
+  return known;
 }
 
 }  // namespace thinbench::detail

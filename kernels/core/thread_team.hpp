@@ -11,11 +11,15 @@ namespace thinbench::detail {
 /// Images below this are faster on one thread: docs/experiments.md#threads.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
 
-/// Runs loops by oneTBB or, without it, by std::thread; the calling thread takes part. Not
-/// thread-safe: one caller at a time.
+/// How many of `threads` threads, at least 1, a team gets: with oneTBB no more than there are
+/// processors, that the program allows and that the system starts.
+[[nodiscard]] int available_threads(int threads);
+
+/// Runs loops by oneTBB or, without it, by std::thread; the calling thread takes part. Workers keep
+/// memory in WorkerBlocks. Not thread-safe: one caller at a time.
 class ThreadTeam {
  public:
-  /// Requires threads >= 1.
+  /// As many threads as are available.
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/memory_pool.hpp"
 #include "core/thread_team.hpp"
 
 namespace thinbench::detail {
@@ -26,6 +27,8 @@ struct ThreadTeam::Workers {
     wake();
     for (std::thread& thread : threads) thread.join();
   }
+
+  [[nodiscard]] int count() const { return static_cast<int>(threads.size()); }
 
   void run(Index part_count, Index item_count, Invoke invoke_body, const void* loop_body) {
     parts = part_count;
@@ -52,7 +55,10 @@ struct ThreadTeam::Workers {
       epoch.wait(seen);
       seen = epoch;
       if (stopping) return;
-      take_parts();
+      {
+        const WorkerBlocks blocks;
+        take_parts();
+      }
       --busy;
       busy.notify_one();
     }
@@ -82,8 +88,13 @@ struct ThreadTeam::Workers {
   std::exception_ptr error;
 };
 
+int available_threads(int threads) {
+  return threads;
+}
+
 ThreadTeam::ThreadTeam(int threads)
-    : workers_(threads > 1 ? std::make_unique<Workers>(threads - 1) : nullptr), threads_(threads) {}
+    : workers_(threads > 1 ? std::make_unique<Workers>(threads - 1) : nullptr),
+      threads_(workers_ ? 1 + workers_->count() : 1) {}
 
 ThreadTeam::~ThreadTeam() = default;
 

@@ -2,11 +2,13 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <optional>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/memory_pool.hpp"
 #include "core/startable_threads.hpp"
 #include "core/thread_team.hpp"
 
@@ -51,10 +53,8 @@ bool has_started() {
   return started;
 }
 
-int arena_size(int threads) {
-  if (!has_started()) return 1;
-  return startable_threads(std::min(threads, static_cast<int>(global_limit())));
-}
+/// Its address tells threads apart.
+thread_local char thread_mark = 0;
 
 /// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.
 using Arenas = std::multimap<int, tbb::task_arena>;
@@ -89,6 +89,11 @@ ArenaPool& arena_pool() {
 
 }  // namespace
 
+int available_threads(int threads) {
+  if (threads == 1 || !has_started()) return 1;
+  return startable_threads(std::min(threads, static_cast<int>(global_limit())));
+}
+
 struct ThreadTeam::Workers {
   explicit Workers(int size) : arena(arena_pool().take(size)) {}
   ~Workers() { arena_pool().give_back(std::move(arena)); }
@@ -100,10 +105,8 @@ struct ThreadTeam::Workers {
   Arenas::node_type arena;
 };
 
-// Without workers, the calling thread does all parts.
-ThreadTeam::ThreadTeam(int threads) : threads_(threads) {
-  const int size = threads > 1 ? arena_size(threads) : 1;
-  if (size > 1) workers_ = std::make_unique<Workers>(size);
+ThreadTeam::ThreadTeam(int threads) : threads_(available_threads(threads)) {
+  if (threads_ > 1) workers_ = std::make_unique<Workers>(threads_);
 }
 
 ThreadTeam::~ThreadTeam() = default;
@@ -114,13 +117,8 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
     return;
   }
   const Index parts = count < threads_ ? count : threads_;
-  if (!workers_) {
-    for (Index part = 0; part < parts; ++part) {
-      invoke_body(body, count * part / parts, count * (part + 1) / parts);
-    }
-    return;
-  }
   const void* finished = workers_.get();
+  const char* const caller = &thread_mark;
   publish(body);
   workers_->arena.mapped().execute([=] {
     // Not static_partitioner: it leaves a message for the worker of each part, and where workers
@@ -129,7 +127,10 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
         Index{0}, parts,
         [=](Index part) {
           receive(body);
+          std::optional<WorkerBlocks> blocks;
+          if (&thread_mark != caller) blocks.emplace();
           invoke_body(body, count * part / parts, count * (part + 1) / parts);
+          blocks.reset();
           publish(finished);
         },
         tbb::simple_partitioner{});

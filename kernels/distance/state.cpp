@@ -10,7 +10,7 @@
 namespace thinbench::detail {
 namespace {
 
-/// Threads take columns by cache lines of bytes.
+/// Threads take columns by cache lines.
 constexpr Index kColumns = 64;
 
 /// The vertical distances of a strip, which should remain in a second-level cache.
@@ -22,9 +22,9 @@ Index stride_of(Index width) {
 }
 
 /// A strip for each thread, or more.
-Index strip_height(const DistanceSetting& setting) {
+Index strip_height(const DistanceSetting& setting, int threads) {
   const Index fitting = kStripBytes / 2 / std::max<Index>(stride_of(setting.width), 1);
-  const Index share = (setting.height + setting.threads - 1) / setting.threads;
+  const Index share = (setting.height + threads - 1) / threads;
   return std::max(kMinStripHeight, std::min(fitting, share));
 }
 
@@ -45,14 +45,14 @@ DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetti
     : kernels_(kernels),
       team_(setting.threads),
       stride_(stride_of(setting.width)),
-      strip_height_(strip_height(setting)),
+      strip_height_(strip_height(setting, team_.threads())),
       strips_((setting.height + strip_height_ - 1) / strip_height_),
       vertical_(make_uninitialised<std::uint16_t>(static_cast<std::size_t>(
-          stride_ * std::min(strip_height_, setting.height) * setting.threads))),
+          stride_ * std::min(strip_height_, setting.height) * team_.threads()))),
       edges_(make_uninitialised<std::uint16_t>(
           static_cast<std::size_t>(2 * (strips_ + 2) * stride_))) {
-  rows_.reserve(static_cast<std::size_t>(setting.threads));
-  for (int i = 0; i < setting.threads; ++i) rows_.emplace_back(setting.width);
+  rows_.reserve(static_cast<std::size_t>(team_.threads()));
+  for (int i = 0; i < team_.threads(); ++i) rows_.emplace_back(setting.width);
   if (strips_ == 0) return;
   constexpr std::uint16_t far = kFarVertically - 1;  // a step from far
   std::fill_n(edges_of(0).above, stride_, far);
@@ -69,31 +69,34 @@ ConstImageView DistanceState::strip_of(const ConstImageView& source, Index strip
   return {source.row(y), source.width, std::min(strip_height_, source.height - y), source.stride};
 }
 
-void DistanceState::find_edges(const ConstImageView& columns, Index first) {
-  for (Index strip = 0; strip < strips_; ++strip) {
-    kernels_.edges(strip_of(columns, strip),
-                   {edges_of(strip + 1).above + first, edges_of(strip - 1).below + first});
-  }
+// By strips, although columns would need no second loop: half rows are read more slowly.
+void DistanceState::find_edges(const ConstImageView& source) {
+  team_.for_ranges(strips_, [&](Index first, Index last) {
+    for (Index strip = first; strip < last; ++strip) {
+      kernels_.edges(strip_of(source, strip),
+                     {edges_of(strip + 1).above, edges_of(strip - 1).below});
+    }
+  });
+  team_.for_ranges((source.width + kColumns - 1) / kColumns, [&](Index first, Index last) {
+    extend_edges(source, first * kColumns, std::min(last * kColumns, source.width));
+  });
+}
+
+void DistanceState::extend_edges(const ConstImageView& source, Index first, Index last) {
   for (Index strip = 1; strip < strips_; ++strip) {
     extend(edges_of(strip).above + first, edges_of(strip - 1).above + first, strip_height_,
-           columns.width);
+           last - first);
   }
   for (Index strip = strips_ - 2; strip >= 0; --strip) {
     extend(edges_of(strip).below + first, edges_of(strip + 1).below + first,
-           strip_of(columns, strip + 1).height, columns.width);
+           strip_of(source, strip + 1).height, last - first);
   }
 }
 
 template <class Row>
 void DistanceState::for_rows(const ConstImageView& source, const Row& row) {
   if (source.width == 0) return;  // such rows need no memory
-  if (strips_ > 1) {
-    team_.for_ranges((source.width + kColumns - 1) / kColumns, [&](Index first, Index last) {
-      const Index x = first * kColumns;
-      const Index width = std::min(last * kColumns, source.width) - x;
-      find_edges({source.data + x, width, source.height, source.stride}, x);
-    });
-  }
+  if (strips_ > 1) find_edges(source);
   const Index threads = team_.threads();
   const Index room = stride_ * std::min(strip_height_, source.height);
   team_.for_ranges(threads, [&](Index first, Index last) {

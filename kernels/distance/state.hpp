@@ -17,7 +17,7 @@ using DistanceSetting = Setting<DistanceParameters>;
 
 /// Owns, for each thread, a strip of vertical distances and a row of numbers. Where there are
 /// several strips, a scan before finds how far background is beyond their edges, so that they are
-/// independent. Threads share columns, then strips.
+/// independent. Threads share strips, and columns in between.
 class DistanceState {
  public:
   using Parameters = DistanceParameters;
@@ -37,7 +37,9 @@ class DistanceState {
   void for_rows(const ConstImageView& source, const Row& row);
   [[nodiscard]] ConstImageView strip_of(const ConstImageView& source, Index strip) const;
   [[nodiscard]] StripEdges edges_of(Index strip) const;
-  void find_edges(const ConstImageView& columns, Index first);
+  void find_edges(const ConstImageView& source);
+  /// From strip to strip, for columns [first, last).
+  void extend_edges(const ConstImageView& source, Index first, Index last);
   template <class T, class Make>
   void write_row(const View<T>& result, Index y, T* memory, const Make& make);
   void write_roots(const std::uint16_t* vertical, DistanceRow& memory, double spacing,

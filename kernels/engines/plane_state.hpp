@@ -25,14 +25,6 @@ struct Planes {
   Plane<T> result;
 };
 
-/// Rows [first, last) of a view.
-template <class View>
-[[nodiscard]] View rows_of_view(View view, Index first, Index last) {
-  view.data = view.row(first);
-  view.height = last - first;
-  return view;
-}
-
 /// Divides the rows of large images among threads.
 class BandTeam {
  public:

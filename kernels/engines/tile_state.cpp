@@ -38,11 +38,12 @@ TileState::TileState(TileEngine engine, const ThinningSetting& setting)
       setting_(setting),
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
-      workspace_(setting.width, setting.height, setting.border, setting.threads,
+      workspace_(setting.width, setting.height, setting.border, team_.threads().threads(),
                  engine_.layout->shape) {
   const TileShape& shape = workspace_.grid().shape;
   const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows);
-  const auto bands = static_cast<std::size_t>(std::min<Index>(setting.threads, tile_rows));
+  const auto bands =
+      static_cast<std::size_t>(std::min<Index>(team_.threads().threads(), tile_rows));
   rows_.reserve(bands);
   while (rows_.size() < bands) rows_.emplace_back(setting.width, shape.rows);
 }
@@ -73,7 +74,7 @@ int TileState::run_by_tile_rows(const Source& source, const Read& read, const Wr
     engine_.layout->load_rows(grid, rows, row);
   };
   TileIteration iteration(engine_, workspace_, team_.threads());
-  if (setting_.threads == 1 && team_.is_large()) {
+  if (team_.threads().threads() == 1 && team_.is_large()) {
     iteration.run_while_loading([&](Index row) { load(row, buffer(0, row)); },
                                 [&](Index row) { return memory_of(source_rows(row)); });
   } else {

@@ -24,7 +24,7 @@ GraphState::GraphState(const GraphKernels& kernels, const GraphSetting& setting)
       walker_(setting.width, setting.height) {}
 
 Graph& GraphState::run(const ConstImageView& source) {
-  conversion_.read(source, image_.view());
+  read_rows(team_, conversion_, source, image_.view());
   return walk();
 }
 

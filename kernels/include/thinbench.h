@@ -52,7 +52,9 @@ THINBENCH_API const char* thinbench_version(void);
 THINBENCH_API const char* thinbench_last_error(void);
 
 /* Frees the memory that the calling thread keeps for its next calls: at most 8 MiB in 32 blocks. A
- * thread that ends frees it, too; after fork(), the child goes on with that of the forking thread.
+ * thread that ends frees it, too. Also frees as much for each worker that calls with several
+ * threads have used at once, but for those at work in another call; after fork(), the child has a
+ * copy.
  */
 THINBENCH_API void thinbench_release_memory(void);
 

@@ -12,12 +12,13 @@ std::unique_ptr<LocaliseState> make_state(const LocaliseSetting& setting) {
 }  // namespace
 
 LocaliseState::LocaliseState(const LocaliseSetting& setting)
-    : conversion_(plane_conversion<std::uint64_t>(setting.isa)),
+    : team_(setting.threads),
+      conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       edges_(setting),
       outlined_(setting.isa, setting.width, setting.height),
       objects_(setting.width, setting.height),
       regions_(kernels_of<RunEngine>(setting.isa), true, setting.isa, setting.width, setting.height,
-               setting.threads) {}
+               team_) {}
 
 void LocaliseState::run(const ConstImageView& source, Regions& found) {
   outlined_.write(edges_.run(source), objects_.view());

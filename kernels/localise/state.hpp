@@ -34,6 +34,7 @@ class LocaliseState {
   void write_objects(const ImageView& image) const { conversion_.write(objects_.view(), image); }
 
  private:
+  ThreadTeam team_;
   const PlaneConversion<std::uint64_t>& conversion_;
   PackedEdges edges_;
   OutlinedObjects outlined_;

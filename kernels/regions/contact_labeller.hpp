@@ -1,10 +1,12 @@
 // Objects and holes from runs as bits and their contacts: what label images are painted from.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
 #include "core/planes.hpp"
+#include "core/thread_team.hpp"
 #include "regions/label_kernels.hpp"
 #include "thinbench/regions.hpp"
 
@@ -49,7 +51,8 @@ class BackgroundRuns {
       : kernels_(kernels), inverted_(width, height), memory_(height) {}
 
   /// Finds and unites the runs. Valid until the next call.
-  Background of(const ConstBitPlaneView& image, Connectivity connectivity);
+  Background of(const ConstBitPlaneView& rows, Connectivity connectivity,
+                const StripEnds& ends = {});
 
  private:
   HoleKernels kernels_;
@@ -57,31 +60,82 @@ class BackgroundRuns {
   RunForestMemory memory_;
 };
 
-/// Works on images of one size. Memory for runs and regions grows on demand and is reused: 8 bytes
+/// Labels a strip of rows as if it were alone, but that background at its ends is outside only
+/// where the image ends, too. Memory for runs and regions grows on demand and is reused: 8 bytes
 /// per run and, with holes, as many per run of single rows.
-class ContactLabeller {
+class ContactStrip {
  public:
-  ContactLabeller(const LabelParameters& parameters, Isa isa, Index width, Index height);
+  ContactStrip(const LabelParameters& parameters, Isa isa, Index width, Index height);
 
-  /// Finds objects and what else the task asks for. Returns the number of objects; sets the lists
-  /// that the task has. The image needs pixels.
-  Label find(const ConstBitPlaneView& image, Regions& found);
-  /// Paints the image that find() had.
-  void paint(const ConstBitPlaneView& image, const LabelView& labels) const;
+  /// Numbers objects from 1 on, then holes, in the order of the whole image. `rows` needs pixels.
+  void find(const ConstBitPlaneView& rows, const StripEnds& ends);
+  [[nodiscard]] Label objects() const { return objects_; }
+  /// Objects and holes.
+  [[nodiscard]] Label labels() const { return labels_; }
+  /// Adds all pixels to the regions of the labels, in tasks with lists: label 1 is the first of
+  /// those, or with holes the second after what is outside. Rows count from the first of the strip.
+  void sum(Region* regions);
+
+  /// Unites the labels of what touches across the seam with the strip above. In `parents` label 0
+  /// of each strip is at its offset.
+  void join(const ContactStrip& above, Label offset_above, Label offset, Label* parents) const;
+  /// Label i becomes numbers[i].
+  void renumber(const Label* numbers);
+  void paint(const LabelView& labels) const;
 
  private:
-  void find_holes(const ConstBitPlaneView& image, Label objects, Regions& found);
-
   const LabelEngine& engine_;
   const LabelKernels& kernels_;
   LabelParameters parameters_;
   RunForestMemory memory_;
+  ConstBitPlaneView rows_ = {};
   RunForest runs_ = {};
+  Label objects_ = 0;
+  Label labels_ = 0;
   // With holes only:
   std::optional<BackgroundRuns> background_runs_;
   Background background_ = {};
-  std::vector<Region> regions_;  // outside, objects, holes
-  std::vector<Label> ids_;       // of all runs of rows, between kRunPadding elements
+  std::vector<Label> ids_;  // of all runs of rows, between kRunPadding elements
+  Label* ids_end_ = nullptr;
+};
+
+/// Labels images of one size. Threads share strips of rows, which are labelled alone and joined at
+/// the seams.
+class ContactLabeller {
+ public:
+  /// The team must outlive this.
+  ContactLabeller(const LabelParameters& parameters, Isa isa, Index width, Index height,
+                  const ThreadTeam& team);
+
+  /// Finds objects and what else the task asks for. Returns the number of objects; sets the lists
+  /// that the task has. The image needs pixels, and must remain until it is painted.
+  Label find(const ConstBitPlaneView& image, Regions& found);
+  /// Paints the image that find() had; once.
+  void paint(const LabelView& labels);
+
+ private:
+  /// Calls `body(number of the strip)`; threads share the strips.
+  template <class Body>
+  void for_strips(const Body& body);
+  struct Count {
+    Label objects;
+    Label labels;  // with holes
+  };
+  Count join_strips();
+  Count number_labels();
+  /// The sums of all strips, from label 0 of the first on.
+  void sum_strips(std::vector<Region>& regions);
+  void list_objects(Label objects, std::vector<Region>& regions) const;
+  void list_regions(const Count& count, Regions& found) const;
+
+  LabelTask task_;
+  const ThreadTeam& team_;
+  std::deque<ContactStrip> strips_;
+  std::vector<Index> first_rows_;  // of each strip, then the height
+  // With several strips: for each label of each strip an earlier one or the same, then its number.
+  std::vector<Label> numbers_;
+  std::vector<Label> offsets_;   // of each strip's label 0, which is outside
+  std::vector<Region> regions_;  // with holes: of all labels
 };
 
 }  // namespace thinbench::detail

@@ -83,7 +83,7 @@ void count_background(const ConstBitPlaneView& background, Label* first) {
 
 template <BandKind band>
 void unite_holes(const Background& background) {
-  unite_background(background.image, background.runs,
+  unite_background(background,
                    [&](Index y) { unite_with_above<band>(background.image, y, background.runs); });
 }
 
@@ -93,8 +93,8 @@ Label number_holes(const Background& background, Label objects) {
                          objects);
 }
 
-void sum_all(const Objects& objects, const Background& background, Region* regions, Label* ids) {
-  sum_all_runs<BandKind::pair>(objects, background, regions, ids);
+Label* sum_all(const Objects& objects, const Background& background, Region* regions, Label* ids) {
+  return sum_all_runs<BandKind::pair>(objects, background, regions, ids);
 }
 
 template <BandKind band>

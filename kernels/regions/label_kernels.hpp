@@ -50,10 +50,17 @@ struct Objects {
   Label count;
 };
 
+/// Whether the first and the last row of a strip are those of the image.
+struct StripEnds {
+  bool top = true;
+  bool bottom = true;
+};
+
 /// Its background as an image, and the runs of single rows.
 struct Background {
   ConstBitPlaneView image;
   RunForest runs;
+  StripEnds ends;
 };
 
 /// Background is 4-connected unless stated otherwise. Run 0 is everything outside the image,
@@ -69,8 +76,8 @@ struct HoleKernels {
   Label (*number)(const Background& background, Label objects);
   /// Adds all pixels to the region at their id, empty before, and sets the enclosing objects of
   /// holes. `regions[0]` is what is outside, for any use. Writes the ids of all runs of single
-  /// rows, of both colours, in raster order.
-  void (*sum)(const Objects& objects, const Background& background, Region* regions, Label* ids);
+  /// rows, of both colours, in raster order; returns the end of those.
+  Label* (*sum)(const Objects& objects, const Background& background, Region* regions, Label* ids);
   /// Writes the id of every pixel from those of the runs, between kRunPadding elements.
   void (*paint)(const ConstBitPlaneView& image, const ConstBitPlaneView& background,
                 const Label* ids, const LabelView& labels);

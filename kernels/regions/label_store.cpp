@@ -5,15 +5,6 @@
 namespace thinbench::detail {
 namespace {
 
-void add_region(Region& sum, const Region& part) {
-  sum.area += part.area;
-  sum.sum_x += part.sum_x;
-  sum.sum_y += part.sum_y;
-  sum.left = std::min(sum.left, part.left);
-  sum.right = std::max(sum.right, part.right);
-  sum.bottom = std::max(sum.bottom, part.bottom);
-}
-
 /// Lists the regions of roots from label `first` on, after moving them to the front in this order.
 /// A parent never exceeds its label, so its number is known when the label is visited.
 void list_regions(const LabelTable& table, Label first, std::vector<Region>& regions) {

@@ -43,6 +43,17 @@ struct LabelTables {
   region.bottom = static_cast<std::int32_t>(y);
 }
 
+/// Adds a part of the same region; what encloses it remains.
+[[gnu::always_inline]] inline void add_region(Region& sum, const Region& part) {
+  sum.area += part.area;
+  sum.sum_x += part.sum_x;
+  sum.sum_y += part.sum_y;
+  if (part.left < sum.left) sum.left = part.left;
+  if (part.top < sum.top) sum.top = part.top;
+  if (part.right > sum.right) sum.right = part.right;
+  if (part.bottom > sum.bottom) sum.bottom = part.bottom;
+}
+
 /// Whether both tables have room for the labels of one more row.
 [[gnu::always_inline]] inline bool has_room(const LabelTables& tables, Index width) {
   const auto needed = static_cast<Label>((width + 1) / 2);

@@ -181,9 +181,9 @@ template <BandKind band, class UniteWithAbove>
 
 /// Background that reaches the image border belongs to run 0.
 template <class UniteWithAbove>
-[[gnu::always_inline]] inline void unite_background(const ConstBitPlaneView& image,
-                                                    const RunForest& runs,
+[[gnu::always_inline]] inline void unite_background(const Background& background,
                                                     const UniteWithAbove& unite_with_above) {
+  const auto& [image, runs, ends] = background;
   const Label* const first = runs.first;
   const Index last = image.height - 1;
   separate_runs(runs, first[image.height]);
@@ -196,7 +196,7 @@ template <class UniteWithAbove>
     if ((row[right / kWordBits] >> right % kWordBits & 1) != 0) {
       unite(runs.parents, first[y + 1] - 1, 0);
     }
-    if (y > 0 && y < last) continue;
+    if (!(y == 0 && ends.top) && !(y == last && ends.bottom)) continue;
     for (Label run = first[y]; run < first[y + 1]; ++run) unite(runs.parents, run, 0);
   }
 }

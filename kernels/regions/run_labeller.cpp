@@ -84,11 +84,10 @@ RunBand::RunBand(Index width)
   }
 }
 
-bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
-                    Index patience) {
+bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
   labels_.clear();
   labelling_.tables = labels_.tables();
-  labelling_.patience = patience;
+  labelling_.patience = kPatience;
   label_first_row(image, first, labelling_);
   const RunRow& row = labelling_.above;
   first_row_.count = row.count;
@@ -105,12 +104,12 @@ bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index 
 }
 
 RunLabeller::RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width,
-                         Index height, int threads)
+                         Index height, const ThreadTeam& team)
     : label_rows_(with_holes ? engine.holes : engine.objects),
       with_holes_(with_holes),
       isa_(isa),
-      team_(threads) {
-  const Index bands = std::min<Index>(threads, height);
+      team_(team) {
+  const Index bands = std::min<Index>(team.threads(), height);
   for (Index band = 0; band < bands; ++band) bands_.emplace_back(width);
 }
 
@@ -118,7 +117,9 @@ void RunLabeller::find(const ConstBitPlaneView& image, Regions& found) {
   if (bands_.empty()) return;
   if (!label_bands(image)) {
     const LabelTask task = with_holes_ ? LabelTask::regions : LabelTask::objects_eight;
-    if (!contacts_) contacts_.emplace(LabelParameters{task}, isa_, image.width, image.height);
+    if (!contacts_) {
+      contacts_.emplace(LabelParameters{task}, isa_, image.width, image.height, team_);
+    }
     contacts_->find(image, found);
     return;
   }
@@ -136,13 +137,11 @@ void RunLabeller::find(const ConstBitPlaneView& image, Regions& found) {
 bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
   std::atomic<bool> is_done = true;
   const auto count = static_cast<Index>(bands_.size());
-  // Contacts take one thread.
-  const Index patience = with_holes_ && count > 1 ? kEndlessPatience : kPatience;
   team_.for_ranges(count, [&](Index first, Index last) {
     for (Index band = first; band < last; ++band) {
       RunBand& rows = bands_[static_cast<std::size_t>(band)];
       if (!rows.label(label_rows_, image, image.height * band / count,
-                      image.height * (band + 1) / count, patience)) {
+                      image.height * (band + 1) / count)) {
         is_done = false;
       }
     }

@@ -18,8 +18,7 @@ class RunBand {
   explicit RunBand(Index width);
 
   /// Labels rows [first, last) of the image; needs first < last. False if the kernel gave up.
-  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
-             Index patience);
+  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
 
   // Results: the rows at the seams, and the labels.
   [[nodiscard]] RunRow& first_row() { return first_row_; }
@@ -37,9 +36,9 @@ class RunBand {
 /// noise, they are found by contacts of runs.
 class RunLabeller {
  public:
-  /// By one of the two kernels of `engine`.
+  /// By one of the two kernels of `engine`. The team must outlive this.
   RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width, Index height,
-              int threads);
+              const ThreadTeam& team);
 
   /// Lists objects and, if asked for, holes. Throws std::bad_alloc.
   void find(const ConstBitPlaneView& image, Regions& found);
@@ -51,7 +50,7 @@ class RunLabeller {
   LabelRows label_rows_;
   bool with_holes_;
   Isa isa_;
-  ThreadTeam team_;
+  const ThreadTeam& team_;
   std::deque<RunBand> bands_;
   std::optional<ContactLabeller> contacts_;  // once they are needed
 };

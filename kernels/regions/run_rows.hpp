@@ -123,7 +123,6 @@ struct RunAccumulators {
 
 /// As many more dense rows than others a kernel takes before it gives up.
 inline constexpr Index kPatience = 32;
-inline constexpr Index kEndlessPatience = Index{1} << 40;
 
 /// The working data of a kernel, in the caller's memory. Rows of runs and accumulators have room
 /// for any row plus 2 * kKeyPadding.

@@ -125,9 +125,9 @@ class RowIds {
 }
 
 template <BandKind band>
-[[gnu::always_inline]] inline void sum_all_runs(const Objects& objects,
-                                                const Background& background, Region* regions,
-                                                Label* ids) {
+[[gnu::always_inline]] inline Label* sum_all_runs(const Objects& objects,
+                                                  const Background& background, Region* regions,
+                                                  Label* ids) {
   const Index words = words_of(objects.image);
   for (Index y = 0; y < objects.image.height; ++y) {
     RowBoundaries boundaries(objects.image, background.image, y);
@@ -147,6 +147,7 @@ template <BandKind band>
     }
     add_run_of(regions[id], begin, objects.image.width, y, id > objects.count ? west : 0);
   }
+  return ids;
 }
 
 template <BandKind band>

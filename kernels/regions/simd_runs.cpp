@@ -222,7 +222,6 @@ template <bool with_background>
 
 /// Counts a dense row, `other_rows` after the one before. False where the kernel should give up.
 [[gnu::noinline]] bool has_patience(RunLabelling& labelling, Index other_rows) {
-  if (labelling.patience == kEndlessPatience) return true;
   const Index patience = labelling.patience + other_rows;
   labelling.patience = (patience < kPatience ? patience : kPatience) - 1;
   return labelling.patience >= 0;

@@ -27,31 +27,29 @@ std::vector<Variant<ListState>> list_variants() {
   return list.take();
 }
 
-/// A variant for the baseline, and one for each other ISA that the kernels are compiled for.
+/// Variants for the baseline, and for each other ISA that the kernels are compiled for.
 template <class State, class Kernels>
-std::vector<Variant<State>> variants_of(std::string_view of_baseline, std::string_view of_others) {
+std::vector<Variant<State>> variants_of(std::string_view of_baseline, std::string_view of_others,
+                                        bool with_threads) {
   VariantList<State> list;
   for (const Isa isa : isas_of<Kernels>()) {
-    list.add(isa == Isa::baseline ? of_baseline : of_others, isa, &make<State>, {1});
+    const std::string_view technique = isa == Isa::baseline ? of_baseline : of_others;
+    list.add(technique, isa, &make<State>, {1});
+    if (with_threads) list.add(technique, isa, &make<State>, {1}, true);
   }
   return list.take();
 }
 
 std::vector<Variant<LabelState>> label_variants() {
-  return variants_of<LabelState, LabelEngine>("bitpacked_contacts", "simd_contacts");
+  return variants_of<LabelState, LabelEngine>("bitpacked_contacts", "simd_contacts", true);
 }
 
 std::vector<Variant<FillState>> fill_variants() {
-  return variants_of<FillState, FloodKernels>("bitpacked_flood", "simd_flood");
+  return variants_of<FillState, FloodKernels>("bitpacked_flood", "simd_flood", false);
 }
 
 std::vector<Variant<EulerState>> euler_variants() {
-  VariantList<EulerState> list;
-  for (const Isa isa : isas_of<EulerKernels>()) {
-    list.add_with_threads(isa == Isa::baseline ? "bitpacked" : "simd_bitpacked", isa,
-                          &make<EulerState>, {1});
-  }
-  return list.take();
+  return variants_of<EulerState, EulerKernels>("bitpacked", "simd_bitpacked", true);
 }
 
 }  // namespace
@@ -63,9 +61,9 @@ void LabelState::check(const LabelParameters& parameters, Index width, Index hei
 
 Label LabelState::run(const ConstImageView& source, const LabelView& labels, Regions& found) {
   if (source.width == 0 || source.height == 0) return 0;
-  const ConstBitPlaneView image = image_.read(source);
+  const ConstBitPlaneView image = image_.read(source, team_);
   const Label objects = contacts_.find(image, found);
-  contacts_.paint(image, labels);
+  contacts_.paint(labels);
   return objects;
 }
 

@@ -29,6 +29,11 @@ class PackedImage {
     conversion_.read(source, bits_.view());
     return bits_.view();
   }
+  /// The same; threads share the rows.
+  ConstBitPlaneView read(const ConstImageView& source, const ThreadTeam& team) {
+    read_rows(team, conversion_, source, bits_.view());
+    return bits_.view();
+  }
 
  private:
   const PlaneConversion<std::uint64_t>& conversion_;
@@ -41,7 +46,7 @@ struct ListParameters {
 };
 using ListSetting = Setting<ListParameters>;
 
-/// Lists of objects and, if asked for, holes. Threads share bands of rows.
+/// Lists of objects and, if asked for, holes. Threads share strips of rows.
 class ListState {
  public:
   using Parameters = ListParameters;
@@ -50,34 +55,39 @@ class ListState {
     require_regions_size(width, height);
   }
   ListState(const RunEngine& engine, const ListSetting& setting)
-      : image_(setting.isa, setting.width, setting.height),
-        labeller_(engine, setting.with_holes, setting.isa, setting.width, setting.height,
-                  setting.threads) {}
+      : team_(setting.threads),
+        image_(setting.isa, setting.width, setting.height),
+        labeller_(engine, setting.with_holes, setting.isa, setting.width, setting.height, team_) {}
 
-  void run(const ConstImageView& source, Regions& found) { find(image_.read(source), found); }
+  void run(const ConstImageView& source, Regions& found) {
+    find(image_.read(source, team_), found);
+  }
   void find(const ConstBitPlaneView& image, Regions& found) { labeller_.find(image, found); }
 
  private:
+  ThreadTeam team_;
   PackedImage image_;
   RunLabeller labeller_;
 };
 
 using LabelSetting = Setting<LabelParameters>;
 
-/// Label images of objects and, if asked for, of holes.
+/// Label images of objects and, if asked for, of holes. Threads share strips of rows.
 class LabelState {
  public:
   using Parameters = LabelParameters;
 
   static void check(const LabelParameters& parameters, Index width, Index height);
   explicit LabelState(const LabelSetting& setting)
-      : image_(setting.isa, setting.width, setting.height),
-        contacts_(setting, setting.isa, setting.width, setting.height) {}
+      : team_(setting.threads),
+        image_(setting.isa, setting.width, setting.height),
+        contacts_(setting, setting.isa, setting.width, setting.height, team_) {}
 
   /// Returns the number of objects; sets the lists that the task has.
   Label run(const ConstImageView& source, const LabelView& labels, Regions& found);
 
  private:
+  ThreadTeam team_;
   PackedImage image_;
   ContactLabeller contacts_;
 };
@@ -99,7 +109,7 @@ class EulerState {
   explicit EulerState(const EulerSetting& setting);
 
   [[nodiscard]] std::int64_t run(const ConstImageView& source) {
-    return count(image_.read(source));
+    return count(image_.read(source, team_));
   }
   [[nodiscard]] std::int64_t count(const ConstBitPlaneView& image) const;
 

@@ -1,5 +1,6 @@
 // Small images are drawn on canvases, which are thinned as stacks. Others are thinned one by one,
-// each by the thread that is free, and large ones by all threads.
+// each by the thread that is free. Large ones that are fewer than threads are thinned by all of
+// them.
 #include "thinbench/many.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ bool fits_lanes(const ConstImageView& image) {
 struct Plan {
   std::vector<Canvas> canvases;  // in stacks, on canvases
   std::vector<Canvas> singles;   // each by one thread; the canvas is the image
-  std::vector<std::size_t> large;
+  std::vector<Canvas> large;     // each by all threads
 };
 
 Canvas next_larger(const Canvas& canvas) {
@@ -89,17 +90,23 @@ Plan plan_for(const ThinningParameters& parameters, const ImageList& images,
   Plan plan;
   for (std::size_t i = 0; i < images.sources.size(); ++i) {
     const ConstImageView& image = images.sources[i];
+    const Canvas canvas = {image.width, image.height, i};
     if (use_threads(image.width, image.height, execution)) {
-      plan.large.push_back(i);
+      plan.large.push_back(canvas);
     } else {
-      const bool on_canvas = fits_lanes(image);
-      (on_canvas ? plan.canvases : plan.singles).push_back({image.width, image.height, i});
+      (fits_lanes(image) ? plan.canvases : plan.singles).push_back(canvas);
     }
   }
   sort_by_size(plan.canvases);
   // What is drawn beside an image must remain background.
   choose_canvases(plan, parameters.border == Border::keep || parameters.complemented ||
                             parameters.rule->adds_pixels());
+  sort_by_size(plan.large);
+  const std::size_t count = plan.large.size();
+  const auto threads = static_cast<std::size_t>(available_threads(execution.threads));
+  const auto shared = plan.large.end() - static_cast<std::ptrdiff_t>(count % threads);
+  plan.singles.insert(plan.singles.end(), plan.large.begin(), shared);
+  plan.large.erase(plan.large.begin(), shared);
   sort_by_size(plan.singles);
   return plan;
 }
@@ -159,8 +166,9 @@ int thin_many(const Rule& rule, std::span<const ConstImageView> sources,
   const ImageList images = {sources, destinations};
   const Plan plan = plan_for(parameters, images, execution);
   int iterations = 0;
-  for (const std::size_t i : plan.large) {
-    iterations = std::max(iterations, thin(rule, sources[i], destinations[i], thinning, execution));
+  for (const Canvas& image : plan.large) {
+    iterations = std::max(
+        iterations, thin(rule, sources[image.item], destinations[image.item], thinning, execution));
   }
   const std::size_t most = std::max(plan.singles.size(), plan.canvases.size());
   const ThreadTeam team(static_cast<int>(

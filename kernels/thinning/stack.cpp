@@ -17,6 +17,7 @@ namespace thinbench {
 
 namespace {
 
+using detail::available_threads;
 using detail::ThinningCall;
 using detail::ThinningParameters;
 
@@ -64,20 +65,35 @@ MakeWorker single_workers(const ThinningCall& call, Index width, Index height) {
 /// Shares the images of a stack among workers, which it makes when there is work for them.
 class StackThinner::Engine {
  public:
-  /// Threads take at least `piece` images each.
-  Engine(MakeWorker make_worker, int max_workers, Index piece)
-      : make_worker_(std::move(make_worker)), max_workers_(max_workers), piece_(piece) {}
+  /// Threads take at least `piece` images each. Where there is a `make_shared`, its worker has all
+  /// threads, and takes what is left after the same number of images for each other worker.
+  Engine(MakeWorker make_worker, int max_workers, Index piece, MakeWorker make_shared = nullptr)
+      : make_worker_(std::move(make_worker)),
+        make_shared_(std::move(make_shared)),
+        max_workers_(max_workers),
+        piece_(piece) {}
 
   /// For stacks with pixels.
   int run(ConstStackView source, StackView destination) {
-    const Index pieces = (source.count + piece_ - 1) / piece_;
-    const Index count = std::min<Index>(max_workers_, pieces);
-    make_workers(static_cast<std::size_t>(count));
+    if (!make_shared_) return run_in_parallel(source, destination, source.count);
+    const Index threads = available_threads(max_workers_);
+    const Index alone = source.count / threads * threads;
+    int iterations = alone > 0 ? run_in_parallel(source, destination, alone) : 0;
+    if (alone == source.count) return iterations;
+    if (!shared_) shared_ = make_shared_();
+    return std::max(iterations, shared_(source, destination, alone, source.count));
+  }
+
+ private:
+  /// Images [0, last).
+  int run_in_parallel(ConstStackView source, StackView destination, Index last) {
+    const Index pieces = (last + piece_ - 1) / piece_;
+    const Index count = make_workers(std::min<Index>(max_workers_, pieces));
     const auto first_of = [&](Index worker) {
-      return std::min(pieces * worker / count * piece_, source.count);
+      return std::min(pieces * worker / count * piece_, last);
     };
-    team_->for_ranges(count, [&](Index first, Index last) {
-      for (Index i = first; i < last; ++i) {
+    team_->for_ranges(count, [&](Index first, Index end) {
+      for (Index i = first; i < end; ++i) {
         const auto worker = static_cast<std::size_t>(i);
         iterations_[worker] = workers_[worker](source, destination, first_of(i), first_of(i + 1));
       }
@@ -85,18 +101,25 @@ class StackThinner::Engine {
     return *std::max_element(iterations_.begin(), iterations_.begin() + count);
   }
 
- private:
-  void make_workers(std::size_t count) {
-    if (count <= workers_.size() && team_) return;
-    while (workers_.size() < count) workers_.push_back(make_worker_());
-    iterations_.resize(count);
-    team_.emplace(static_cast<int>(count));
+  /// Makes at most `wanted` workers, as many as there are threads, and returns their number.
+  Index make_workers(Index wanted) {
+    if (!team_ || wanted > wanted_) {
+      team_.emplace(static_cast<int>(wanted));
+      wanted_ = wanted;
+    }
+    const Index count = std::min<Index>(wanted, team_->threads());
+    while (std::ssize(workers_) < count) workers_.push_back(make_worker_());
+    iterations_.resize(workers_.size());
+    return count;
   }
 
   MakeWorker make_worker_;
+  MakeWorker make_shared_;
   int max_workers_;
   Index piece_;
+  Index wanted_ = 0;  // threads of the team
   std::vector<Worker> workers_;
+  Worker shared_;
   std::vector<int> iterations_;  // by worker
   std::optional<detail::ThreadTeam> team_;
 };
@@ -113,7 +136,8 @@ StackThinner::StackThinner(const Rule& rule, Index width, Index height, const Th
   detail::require_execution(execution);
   const Index images = piece / std::max<Index>(1, width * height);
   if (detail::use_threads(width, height, execution)) {
-    engine_ = std::make_unique<Engine>(single_workers(call, width, height), 1, 1);
+    engine_ = std::make_unique<Engine>(single_workers(call.on_one_thread(), width, height),
+                                       execution.threads, 1, single_workers(call, width, height));
   } else if (width <= detail::kMaxLaneWidth) {
     const Isa isa = choose_variant(detail::thinning_variants(*parameters.rule), width, height,
                                    {.threads = 1, .isa = execution.isa})

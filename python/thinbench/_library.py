@@ -76,7 +76,7 @@ _release_memory = _function("release_memory")
 
 
 def release_memory() -> None:
-    """Free the memory that the calling thread keeps for its next calls, at most 8 MiB."""
+    """Free the memory that the calling thread and idle workers keep for the next calls, at most 8 MiB each."""
     _release_memory()
 
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <climits>
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <span>
 #include <thread>
@@ -207,6 +208,42 @@ TEST_P(KeptMemory, serves_the_next_calls) {
   const std::size_t before = allocated_bytes;
   call_on(image, out, thinning);
   EXPECT_LT(allocated_bytes - before, std::size_t{1} << 15);
+}
+
+/// What a call allocates on up to so many threads, with nothing kept.
+template <class Call>
+std::size_t bytes_on(int threads, const Call& call) {
+  call(Execution{.threads = threads});  // starts the threads
+  release_memory();
+  const std::size_t before = allocated_bytes;
+  call(Execution{.threads = threads});
+  release_memory();
+  return allocated_bytes - before;
+}
+
+/// Tests run with at most eight threads.
+TEST(ManyThreads, take_memory_for_those_that_exist) {
+  const ByteImage large = noise_image(1024, 1024, 40, 9, 5);
+  ByteImage result(1024, 1024);
+  std::vector<std::int32_t> numbers(1024 * 1024);
+  const LabelView labels(numbers.data(), 1024, 1024);
+  const Index side = 150;  // too wide for lanes
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(100 * side * side), 255);
+  const StackView stack = {pixels.data(), 100, side, side, side, side * side};
+  std::vector<ConstImageView> sources;
+  std::vector<ImageView> list;
+  for (Index i = 0; i < stack.count; ++i) list.push_back(stack.image(i));
+  for (const ImageView& image : list) sources.emplace_back(image.data, side, side);
+  const std::pair<const char*, std::function<void(const Execution&)>> calls[] = {
+      {"stack", [&](const Execution& on) { thin_stack(Rule::mb2, stack, stack, {}, on); }},
+      {"list", [&](const Execution& on) { thin_many(Rule::mb2, sources, list, {}, on); }},
+      {"thin", [&](const Execution& on) { thin(Rule::mb2, large.view(), result.view(), {}, on); }},
+      {"distances", [&](const Execution& on) { squared_distances(large.view(), labels, on); }},
+      {"regions", [&](const Execution& on) { (void)find_regions(large.view(), on); }},
+      {"labels", [&](const Execution& on) { label_regions(large.view(), labels, on); }}};
+  for (const auto& [name, call] : calls) {
+    EXPECT_LE(bytes_on(1000, call), 10 * bytes_on(1, call)) << name;
+  }
 }
 
 TEST(KeptMemoryOfThread, is_freed_when_a_thread_ends) {

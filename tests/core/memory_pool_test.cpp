@@ -1,9 +1,11 @@
 // Memory that threads keep.
 #include "core/memory_pool.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <latch>
 #include <thread>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include "core/byte_image.hpp"
+#include "core/thread_team.hpp"
 #include "thinbench/memory.hpp"
 
 namespace thinbench::detail {
@@ -84,6 +87,55 @@ TEST_F(MemoryPool, is_of_one_thread) {
     give_block(block);
     EXPECT_GE(kept_bytes(), std::size_t{1000});
   }).join();
+  EXPECT_EQ(kept_bytes(), std::size_t{0});
+}
+
+TEST_F(MemoryPool, of_workers_is_released_by_any_thread_unless_they_work) {
+  std::latch works(1), released(1);
+  std::thread worker([&] {
+    const WorkerBlocks blocks;
+    give_block(take_block(1000));
+    works.count_down();
+    released.wait();
+    EXPECT_GE(kept_bytes(), std::size_t{1000});
+  });
+  works.wait();
+  release_memory();
+  released.count_down();
+  worker.join();
+  EXPECT_GE(kept_bytes(), std::size_t{1000}) << "after the thread's end";
+  release_memory();
+  EXPECT_EQ(kept_bytes(), std::size_t{0});
+}
+
+TEST_F(MemoryPool, of_workers_serves_the_next_worker) {
+  void* first = nullptr;
+  void* second = nullptr;
+  for (void** block : {&first, &second}) {
+    std::thread([block] {
+      const WorkerBlocks blocks;
+      *block = take_block(70000);
+      give_block(*block);
+    }).join();
+  }
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(MemoryPool, of_the_workers_of_a_team_is_released_by_its_caller) {
+  const ThreadTeam team(2);
+  std::atomic<int> parts_of_worker = 0;
+  while (parts_of_worker == 0) {
+    team.for_ranges(2, [&, caller = std::this_thread::get_id()](Index, Index) {
+      if (std::this_thread::get_id() == caller) {
+        std::this_thread::yield();
+        return;
+      }
+      give_block(take_block(1000));
+      ++parts_of_worker;
+    });
+  }
+  EXPECT_GE(kept_bytes(), std::size_t{1000});
+  release_memory();
   EXPECT_EQ(kept_bytes(), std::size_t{0});
 }
 

@@ -1,14 +1,36 @@
 #include "core/thread_team.hpp"
 
 #include <atomic>
+#include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
+
+#include "core/startable_threads.hpp"
+
+#ifndef THINBENCH_SANITIZED  // which replace it, too
+namespace {
+std::atomic<int> started = 0;
+std::atomic<int> startable = INT_MAX;  // until none is
+}  // namespace
+
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                              void* (*run)(void*), void* argument) {
+  static const auto create =
+      reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+  if (startable-- <= 0) return EAGAIN;
+  ++started;
+  return create(thread, attributes, run, argument);
+}
+#endif
 
 namespace thinbench::detail {
 namespace {
@@ -31,6 +53,12 @@ TEST(ThreadTeam, makes_one_range_per_thread) {
   std::atomic<int> ranges = 0;
   team.for_ranges(1000, [&](Index, Index) { ++ranges; });
   EXPECT_EQ(ranges, 7);
+}
+
+TEST(ThreadTeam, has_no_more_threads_than_are_available) {
+  EXPECT_EQ(available_threads(3), 3);
+  EXPECT_EQ(ThreadTeam(3).threads(), 3);
+  EXPECT_EQ(ThreadTeam(200).threads(), available_threads(200));
 }
 
 /// The address space that this process uses.
@@ -60,6 +88,27 @@ TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_with_little_memory(8), testing::ExitedWithCode(0), "^$");
 }
+
+#ifndef THINBENCH_SANITIZED
+/// Leaves with 0 if threads are tried again only where a limit has changed.
+void start_more_threads_than_the_system_does() {
+  startable = 5;
+  bool good = startable_threads(8) == 3 && started == 5;
+  startable = INT_MAX;
+  good = good && startable_threads(8) == 3 && startable_threads(100) == 3 && started == 5;
+  rlimit processes{};
+  getrlimit(RLIMIT_NPROC, &processes);
+  processes.rlim_cur = processes.rlim_max == RLIM_INFINITY ? 60000 : processes.rlim_max - 1;
+  good = good && setrlimit(RLIMIT_NPROC, &processes) == 0;
+  good = good && startable_threads(8) == 8 && started == 12 && startable_threads(7) == 7;
+  std::_Exit(good && started == 12 ? 0 : 1);
+}
+
+TEST(ThreadTeam, tries_to_start_more_threads_only_when_a_limit_has_changed) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(start_more_threads_than_the_system_does(), testing::ExitedWithCode(0), "^$");
+}
+#endif
 
 void run_beyond_the_limit_of_the_program() {
   for (const std::size_t limit : {4U, 2U, 3U}) {

@@ -1,5 +1,5 @@
-// Every variant of regions, label images and filling on shapes that are awkward for runs as bits,
-// and label images that are written past the caches.
+// Every variant of regions, label images and filling on shapes that are awkward for runs as bits
+// and for strips of rows, and label images that are written past the caches.
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,10 +73,14 @@ class RunVariants : public ::testing::TestWithParam<std::string> {
       const Outcome expected = expected_of(GetParam(), image.view());
       for (const Variant& variant : operation.variants) {
         if (!variant.unavailable_reason(image.width()).empty()) continue;
-        const auto job = variant.make_job(image.width(), image.height(), 1);
-        const auto mismatch = find_mismatch(*job, image.view(), expected);
-        ASSERT_FALSE(mismatch) << variant.technique << ' ' << isa_name(variant.isa) << ", "
-                               << image.width() << " x " << image.height() << ": " << *mismatch;
+        for (const int threads : {1, 2, 7}) {
+          if ((threads > 1) != variant.threaded) continue;
+          const auto job = variant.make_job(image.width(), image.height(), threads);
+          const auto mismatch = find_mismatch(*job, image.view(), expected);
+          ASSERT_FALSE(mismatch) << variant.technique << ' ' << isa_name(variant.isa) << ", "
+                                 << threads << " threads, " << image.width() << " x "
+                                 << image.height() << ": " << *mismatch;
+        }
       }
     }
   }
@@ -111,6 +115,16 @@ TEST_P(RunVariants, are_exact_where_narrow_sums_and_coordinates_would_overflow) 
     }));
     expect_exact(frame_with_a_bar);
   }
+}
+
+TEST_P(RunVariants, are_exact_with_more_regions_than_16_bits_number) {
+  std::vector<ByteImage> images;
+  for (const int shown : {0, 255}) {  // objects, or holes of one object
+    images.push_back(image_by(701, 523, [&](Index x, Index y) {
+      return x % 2 == 1 && y % 2 == 1 ? 255 - shown : shown;
+    }));
+  }
+  expect_exact(images);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RunVariants,

@@ -145,6 +145,23 @@ TEST(ThinMany, shares_the_rows_of_large_images_among_threads) {
   EXPECT_TRUE(equal(result.view(), expected.view()));
 }
 
+TEST(ThinMany, equals_thin_on_large_images_more_and_fewer_than_threads) {
+  ImageList images, expected;
+  int iterations = 0;
+  for (const Index width : {1100, 1050, 300, 1200, 1100, 1101}) {
+    images.images.emplace_back(noise_image(width, 1000, 90, 3, 8), 3);
+    expected.images.push_back(images.images.back());
+    const ImageView view = expected.images.back().view();
+    iterations = std::max(iterations, thin(Rule::mb2, view, view));
+  }
+  for (const int threads : {2, 3, 5, 7}) {
+    ImageList result = images;
+    EXPECT_EQ(thin_many(Rule::mb2, result.const_views(), result.views(), {}, {.threads = threads}),
+              iterations);
+    EXPECT_TRUE(result.images == expected.images) << threads;
+  }
+}
+
 /// A view of part of a 40 x 40 image.
 ImageView part(std::vector<std::uint8_t>& bytes, Index x, Index y, Index width, Index height) {
   return {bytes.data() + y * 40 + x, width, height, 40};

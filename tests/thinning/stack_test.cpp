@@ -212,10 +212,10 @@ TEST(StackThinner, threads_share_the_images_with_and_without_lanes) {
   }
 }
 
-TEST(StackThinner, thins_large_images_one_after_another_on_all_threads) {
+TEST(StackThinner, thins_large_images_on_a_thread_each_and_the_last_ones_on_all) {
   Stack source = random_stack(3, 1100, 1000, 4);
   Expected expected = expected_of(Rule::guo_hall, {}, source);
-  for (const int threads : {1, 2, 3}) {
+  for (const int threads : {1, 2, 3, 4}) {
     expect_stack(Rule::guo_hall, source, {}, {.threads = threads}, expected);
   }
 }

@@ -17,8 +17,9 @@ namespace thinbench {
 /// concurrently.
 class THINBENCH_API StackThinner {
  public:
-  /// Threads share the images of a stack; those of 2^20 pixels and more are thinned one after
-  /// another, each on all threads. Throws as thin() does for sizes and options.
+  /// Threads share the images of a stack. Of those of 2^20 pixels and more, each thread thins the
+  /// same number; what is left is thinned one after another on all threads. Throws as thin() does
+  /// for sizes and options.
   StackThinner(const Rule& rule, Index width, Index height, const Thinning& thinning = {},
                const Execution& execution = {});
   ~StackThinner();
@@ -57,8 +58,9 @@ THINBENCH_API int thin_stack(const Rule& rule, ConstStackView source, StackView 
 /// only those whose size recurs in the list.
 ///
 /// Returns the maximum number of iterations over all images, including the last iteration, which
-/// changed nothing; 0 without images. Threads share the images; those of 2^20 pixels and more are
-/// thinned one after another, each on all threads. Takes memory for the largest image, per thread.
+/// changed nothing; 0 without images. Threads share the images. Of those of 2^20 pixels and more,
+/// those left after the same number for each thread, the smallest, are thinned one after another on
+/// all threads. Takes memory for the largest image, per thread.
 ///
 /// A destination is its source or shares no byte with any image of the list; sources may overlap
 /// each other. Thread-safe for different destinations. Throws as thin() does, and

@@ -47,7 +47,7 @@ inline constexpr int kMaxThreads = 1024;
 /// How a result is computed. It never changes a pixel.
 struct Execution {
   /// The maximum number of threads, from 1 to kMaxThreads. Images below 2^20 pixels use one thread,
-  /// which is faster.
+  /// which is faster. Fewer are used where the system has or grants fewer; memory is for those.
   int threads = 1;
   /// The highest instruction set to use; an operation without code for exactly this one uses its
   /// next lower one. One that is not available on this machine is rejected. Default: the highest
