@@ -6,9 +6,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
+#endif
+#ifdef THINBENCH_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 namespace thinbench::detail {
 namespace {
@@ -33,6 +37,7 @@ TEST(ThreadTeam, makes_one_range_per_thread) {
   EXPECT_EQ(ranges, 7);
 }
 
+#if __has_include(<sys/resource.h>)
 /// The address space that this process uses.
 std::size_t used_bytes() {
   std::size_t pages = 0;
@@ -60,7 +65,9 @@ TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_with_little_memory(8), testing::ExitedWithCode(0), "^$");
 }
+#endif
 
+#ifdef THINBENCH_WITH_TBB
 void run_beyond_the_limit_of_the_program() {
   for (const std::size_t limit : {4U, 2U, 3U}) {
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, limit);
@@ -73,6 +80,7 @@ TEST(ThreadTeam, prints_nothing_where_the_program_allows_fewer_threads) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_beyond_the_limit_of_the_program(), testing::ExitedWithCode(0), "^$");
 }
+#endif
 
 }  // namespace
 }  // namespace thinbench::detail
