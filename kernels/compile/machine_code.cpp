@@ -44,7 +44,7 @@ void release(void* memory, std::size_t) {
 /// A ScanFunction whose program is the code. The code follows the calling convention of System V:
 /// it changes registers that functions of Windows preserve.
 std::uint64_t call_code(const void* code, const ColumnScan& scan) {
-  using Code = std::uint64_t (*)(const void*, const ColumnScan&) __attribute__((sysv_abi));
+  using Code = std::uint64_t(__attribute__((sysv_abi))*)(const void*, const ColumnScan&);
   return reinterpret_cast<Code>(reinterpret_cast<std::uintptr_t>(code))(nullptr, scan);
 }
 #else
