@@ -6,6 +6,10 @@
 
 #include "thinbench/memory.hpp"
 
+#ifdef _WIN32
+#include <windows.h>
+#endif
+
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define THINBENCH_POISONS
@@ -43,17 +47,11 @@ void free_header(Header* header) {
   ::operator delete (header, std::align_val_t{kAlignment});
 }
 
-/// Set when the thread's pool is gone, while other objects of the thread may still free blocks.
-thread_local bool pool_is_gone = false;
-
 /// Blocks in the order in which they came. There are no locks, hence nothing to hold across fork().
 class Pool {
  public:
   Pool() = default;
-  ~Pool() {
-    release();
-    pool_is_gone = true;
-  }
+  ~Pool() { release(); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
@@ -102,33 +100,80 @@ class Pool {
   std::size_t bytes_ = 0;
 };
 
-thread_local Pool pool;
+// The pool of the calling thread. nullptr when it is gone, while other objects of the thread may
+// still free blocks.
+#ifdef _WIN32
+// There GCC frees thread-local objects before it destroys them, so the system keeps the pools.
+char gone;  // its address stands for a pool that is gone
+
+extern const DWORD pool_index;
+
+void destroy_pool(void* pool) {
+  if (pool == &gone) return;
+  delete static_cast<Pool*>(pool);
+  FlsSetValue(pool_index, &gone);
+}
+
+/// From now on a DLL with this library remains loaded, as each thread that ends calls destroy_pool.
+DWORD make_pool_index() {
+  HMODULE library = nullptr;
+  GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_PIN | GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS,
+                     reinterpret_cast<LPCWSTR>(&destroy_pool), &library);
+  return FlsAlloc(&destroy_pool);
+}
+
+const DWORD pool_index = make_pool_index();
+
+Pool* pool_of_thread() {
+  void* pool = FlsGetValue(pool_index);
+  if (pool == &gone) return nullptr;
+  if (pool == nullptr) {
+    pool = new (std::nothrow) Pool;
+    FlsSetValue(pool_index, pool);
+  }
+  return static_cast<Pool*>(pool);
+}
+#else
+thread_local bool pool_is_gone = false;
+
+struct PoolOfThread {
+  ~PoolOfThread() { pool_is_gone = true; }
+  Pool pool;
+};
+thread_local PoolOfThread of_thread;
+
+Pool* pool_of_thread() {
+  return pool_is_gone ? nullptr : &of_thread.pool;
+}
+#endif
 
 }  // namespace
 
 void* take_block(std::size_t bytes) {
-  Header* const kept = pool_is_gone ? nullptr : pool.take(bytes);
+  Pool* const pool = pool_of_thread();
+  Header* const kept = pool == nullptr ? nullptr : pool->take(bytes);
   return block_of(kept != nullptr ? kept : new_header(bytes));
 }
 
 void give_block(void* block) noexcept {
   if (block == nullptr) return;
   Header* const header = static_cast<Header*>(block) - 1;
-  if (pool_is_gone) {
-    free_header(header);
+  if (Pool* const pool = pool_of_thread()) {
+    pool->give(header);
   } else {
-    pool.give(header);
+    free_header(header);
   }
 }
 
 std::size_t kept_bytes() {
-  return pool_is_gone ? 0 : pool.bytes();
+  const Pool* const pool = pool_of_thread();
+  return pool == nullptr ? 0 : pool->bytes();
 }
 
 }  // namespace detail
 
 void release_memory() noexcept {
-  if (!detail::pool_is_gone) detail::pool.release();
+  if (detail::Pool* const pool = detail::pool_of_thread()) pool->release();
 }
 
 }  // namespace thinbench
