@@ -15,7 +15,8 @@ if(TARGET thinbench_program)
   thinbench_require_built(program thinbench_program $<TARGET_FILE:thinbench_program>)
 endif()
 if(THINBENCH_BUILD_PYTHON)
-  thinbench_require_built(python thinbench_python ${PROJECT_BINARY_DIR}/python/thinbench/libthinbench.so EXCLUDE_FROM_ALL)
+  thinbench_require_built(python thinbench_python
+                          ${PROJECT_BINARY_DIR}/python/thinbench/libthinbench${CMAKE_SHARED_LIBRARY_SUFFIX} EXCLUDE_FROM_ALL)
 endif()
 
 # As Debian expects it.
@@ -56,8 +57,11 @@ install(FILES ${PROJECT_BINARY_DIR}/thinbenchConfig.cmake ${PROJECT_BINARY_DIR}/
         DESTINATION ${thinbench_package})
 
 set(thinbench_private_libraries "-lstdc++ -lm -pthread")
+if(APPLE)
+  set(thinbench_private_libraries "-lc++")
+endif()
 if(THINBENCH_WITH_TBB)
-  set(thinbench_private_libraries "-ltbb -lstdc++ -lm -pthread")
+  string(PREPEND thinbench_private_libraries "-ltbb ")
 endif()
 # Relative, so that what was installed may be moved.
 file(RELATIVE_PATH thinbench_prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})

@@ -130,7 +130,7 @@ BoundRule CompiledRule::bind(Isa isa, Layout layout, bool fixed) const {
     if (found == code_.end()) {  // null, too, is kept: what is denied takes long to try again
       found = code_.emplace(key, MachineCode::make(all.networks[i], isa, layout, fixed)).first;
     }
-    if (found->second) rule.scans[i].function = found->second->function();
+    if (found->second) rule.scans[i] = found->second->scan();
   }
   return rule;
 }

@@ -1,7 +1,13 @@
 #include "core/features.hpp"
 
 #if defined(__aarch64__)
+#if __has_include(<sys/auxv.h>)
 #include <sys/auxv.h>
+#elif __has_include(<sys/sysctl.h>)
+#include <cstddef>
+
+#include <sys/sysctl.h>
+#endif
 #endif
 
 namespace thinbench::detail {
@@ -35,7 +41,16 @@ Features detect_features() {
 #elif defined(__aarch64__)
 
 Features detect_features() {
-  return (getauxval(AT_HWCAP) & HWCAP_SHA3) != 0 ? feature("sha3") : 0;
+#if __has_include(<sys/auxv.h>)
+  const bool has_sha3 = (getauxval(AT_HWCAP) & HWCAP_SHA3) != 0;
+#elif __has_include(<sys/sysctl.h>)
+  int has_sha3 = 0;
+  std::size_t bytes = sizeof(has_sha3);
+  if (sysctlbyname("hw.optional.armv8_2_sha3", &has_sha3, &bytes, nullptr, 0) != 0) has_sha3 = 0;
+#else
+  const bool has_sha3 = false;
+#endif
+  return has_sha3 ? feature("sha3") : 0;
 }
 
 #else

@@ -8,6 +8,10 @@
 #include "thinbench/memory.hpp"
 #include "thinbench/options.hpp"
 
+#ifdef _WIN32
+#include <windows.h>
+#endif
+
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define THINBENCH_POISONS
@@ -97,23 +101,62 @@ class Pool {
   std::size_t bytes_ = 0;
 };
 
-/// Set when the thread's pool is gone, while other objects of the thread may still free blocks.
+// The pool of a thread. nullptr when it is gone, while other objects of the thread may
+// still free blocks.
+#ifdef _WIN32
+// There GCC frees thread-local objects before it destroys them, so the system keeps the pools.
+char gone;  // its address stands for a pool that is gone
+
+extern const DWORD pool_index;
+
+void destroy_pool(void* pool) {
+  if (pool == &gone) return;
+  static_cast<Pool*>(pool)->release();
+  delete static_cast<Pool*>(pool);
+  FlsSetValue(pool_index, &gone);
+}
+
+/// From now on a DLL with this library remains loaded, as each thread that ends calls destroy_pool.
+DWORD make_pool_index() {
+  HMODULE library = nullptr;
+  GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_PIN | GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS,
+                     reinterpret_cast<LPCWSTR>(&destroy_pool), &library);
+  return FlsAlloc(&destroy_pool);
+}
+
+const DWORD pool_index = make_pool_index();
+
+Pool* pool_of_thread() {
+  void* pool = FlsGetValue(pool_index);
+  if (pool == &gone) return nullptr;
+  if (pool == nullptr) {
+    pool = new (std::nothrow) Pool;
+    FlsSetValue(pool_index, pool);
+  }
+  return static_cast<Pool*>(pool);
+}
+#else
 thread_local bool pool_is_gone = false;
 
-struct ThreadPool : Pool {
-  ~ThreadPool() {
-    release();
+struct PoolOfThread {
+  ~PoolOfThread() {
+    pool.release();
     pool_is_gone = true;
   }
+  Pool pool;
 };
+thread_local PoolOfThread of_thread;
 
-thread_local ThreadPool own_pool;
+Pool* pool_of_thread() {
+  return pool_is_gone ? nullptr : &of_thread.pool;
+}
+#endif
+
 thread_local Pool* worker_pool = nullptr;  // instead, for a part of a loop
 
-/// The pool of the calling thread, or nullptr.
+/// Of the calling thread, or nullptr.
 Pool* current_pool() {
-  if (worker_pool != nullptr) return worker_pool;
-  return pool_is_gone ? nullptr : &own_pool;
+  return worker_pool != nullptr ? worker_pool : pool_of_thread();
 }
 
 /// Pools of workers, used by who has set the flag. Not destroyed: teams in static variables may

@@ -1,5 +1,6 @@
 // Without oneTBB: a team starts its threads and keeps them.
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -9,6 +10,43 @@
 #include "core/thread_team.hpp"
 
 namespace thinbench::detail {
+
+namespace {
+
+/// Waits until an atomic number is no longer `old`.
+#if defined(__GLIBCXX__) && !defined(_GLIBCXX_HAVE_PLATFORM_WAIT)
+// Without futexes, GCC's std::atomic::wait may miss a notification and wait for ever.
+class Waiting {
+ public:
+  template <class Number>
+  void wait(const std::atomic<Number>& number, Number old) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return number != old; });
+  }
+  template <class Number>
+  void notify(std::atomic<Number>&) {
+    { const std::lock_guard lock(mutex_); }
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+};
+#else
+struct Waiting {
+  template <class Number>
+  void wait(const std::atomic<Number>& number, Number old) {
+    number.wait(old);
+  }
+  template <class Number>
+  void notify(std::atomic<Number>& number) {
+    number.notify_all();
+  }
+};
+#endif
+
+}  // namespace
 
 /// The threads of a team. An idle thread takes the next part of a loop, so if the system starts
 /// fewer threads, loops only take longer.
@@ -40,19 +78,19 @@ struct ThreadTeam::Workers {
     busy = static_cast<int>(threads.size());
     wake();
     take_parts();
-    for (int left = busy; left > 0; left = busy) busy.wait(left);
+    for (int left = busy; left > 0; left = busy) waiting.wait(busy, left);
     if (error) std::rethrow_exception(error);
   }
 
  private:
   void wake() {
     ++epoch;
-    epoch.notify_all();
+    waiting.notify(epoch);
   }
 
   void work() {
     for (unsigned seen = 0;;) {
-      epoch.wait(seen);
+      waiting.wait(epoch, seen);
       seen = epoch;
       if (stopping) return;
       {
@@ -60,7 +98,7 @@ struct ThreadTeam::Workers {
         take_parts();
       }
       --busy;
-      busy.notify_one();
+      waiting.notify(busy);
     }
   }
 
@@ -75,6 +113,7 @@ struct ThreadTeam::Workers {
     }
   }
 
+  Waiting waiting;
   std::vector<std::thread> threads;
   std::atomic<unsigned> epoch = 0;  // of loops; a new one wakes the threads
   std::atomic<bool> stopping = false;

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/checks.hpp"
 #include "thinbench/graph_parts.hpp"

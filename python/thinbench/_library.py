@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import struct
+import sys
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -12,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-_library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
+_ENDING = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+_library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench" + _ENDING)))
 
 # Structs are passed as packed bytes, which is faster than ctypes.Structure. Each begins with its size.
 IMAGE = struct.Struct("NPnnnB7x")  # data, width, height, stride, foreground

@@ -40,6 +40,22 @@ void count(std::size_t size) {
   ++allocations;
   allocated_bytes += size;
 }
+
+#ifdef _WIN32
+void* aligned_memory(std::size_t align, std::size_t size) {
+  return _aligned_malloc(size, align);
+}
+void free_aligned(void* memory) {
+  _aligned_free(memory);
+}
+#else
+void* aligned_memory(std::size_t align, std::size_t size) {
+  return std::aligned_alloc(align, (size + align - 1) / align * align);
+}
+void free_aligned(void* memory) {
+  std::free(memory);
+}
+#endif
 }  // namespace
 
 // Not inlined, because GCC would then warn that memory from `new` is passed to `free`. Every form
@@ -52,7 +68,7 @@ void count(std::size_t size) {
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   count(size);
   const auto align = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  if (void* memory = aligned_memory(align, size)) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
@@ -69,11 +85,11 @@ void count(std::size_t size) {
 }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
   deallocations += memory != nullptr ? 1 : 0;
-  std::free(memory);
+  free_aligned(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   deallocations += memory != nullptr ? 1 : 0;
-  std::free(memory);
+  free_aligned(memory);
 }
 
 namespace thinbench {

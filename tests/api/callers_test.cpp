@@ -11,8 +11,10 @@
 #include <vector>
 
 #include <pthread.h>
-#include <sys/wait.h>
 #include <unistd.h>
+#if __has_include(<sys/wait.h>)
+#include <sys/wait.h>
+#endif
 
 #include "core/byte_image.hpp"
 #include "harness/splitmix64.hpp"
@@ -113,6 +115,7 @@ std::string failure;
   _exit(1);
 }
 
+#if __has_include(<sys/wait.h>)
 /// Whether two threads can be used while and after an allocation of the first call with two fails.
 /// In a process of its own.
 bool works_after_failure_at(long allocation) {
@@ -139,6 +142,7 @@ bool works_after_failure_at(long allocation) {
   waitpid(child, &status, 0);
   return status == 0;
 }
+#endif
 
 void call_after_main() {
   if (results_of_every_operation() != expected) fail("after main");
@@ -161,9 +165,11 @@ constexpr std::size_t kStackBytes = std::size_t{128} << 10;
 }  // namespace thinbench
 
 int main() {
+#if __has_include(<sys/wait.h>)
   for (long i = 0; i < 80; ++i) {
     if (!thinbench::works_after_failure_at(i)) thinbench::fail("after a failed allocation");
   }
+#endif
   if (std::atexit(&thinbench::call_after_main) != 0) return 2;
   thinbench::expected = thinbench::results_of_every_operation();
   thinbench::failure = thinbench::message_of_a_failure();

@@ -6,7 +6,11 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <sys/mman.h>
+#endif
 
 #include "support/variant_of.hpp"
 #include "thinbench/packed.hpp"
@@ -18,15 +22,31 @@ namespace {
 constexpr Index k2To31 = Index{1} << 31;
 
 /// Zeros that the system provides when they are touched.
+void* sparse_memory(std::size_t bytes) {
+#ifdef _WIN32
+  void* const memory = VirtualAlloc(nullptr, bytes, MEM_RESERVE | MEM_COMMIT, PAGE_READWRITE);
+  if (memory == nullptr) throw std::runtime_error("no address space");
+#else
+  void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) throw std::runtime_error("no address space");
+#endif
+  return memory;
+}
+
+void free_sparse_memory(void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef _WIN32
+  VirtualFree(memory, 0, MEM_RELEASE);
+#else
+  munmap(memory, bytes);
+#endif
+}
+
 class SparseMemory {
  public:
   explicit SparseMemory(Index bytes)
-      : bytes_(static_cast<std::size_t>(bytes)),
-        data_(mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
-                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
-    if (data_ == MAP_FAILED) throw std::runtime_error("no address space");
-  }
-  ~SparseMemory() { munmap(data_, bytes_); }
+      : bytes_(static_cast<std::size_t>(bytes)), data_(sparse_memory(bytes_)) {}
+  ~SparseMemory() { free_sparse_memory(data_, bytes_); }
   SparseMemory(const SparseMemory&) = delete;
   SparseMemory& operator=(const SparseMemory&) = delete;
   SparseMemory(SparseMemory&&) = delete;

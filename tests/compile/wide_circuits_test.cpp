@@ -96,7 +96,7 @@ TEST(MachineCode, begins_with_the_instruction_that_marks_targets_of_indirect_cal
   if (!MachineCode::is_available(Isa::avx2)) GTEST_SKIP() << "no machine code here";
   const GateNetwork identity = {.gates = {}, .output = WindowTable::kCentre};
   const auto code = MachineCode::make(identity, Isa::avx2, Layout::words, false);
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(code->function());
+  const auto* const bytes = static_cast<const std::uint8_t*>(code->scan().program);
   constexpr std::array<std::uint8_t, 4> endbr64 = {0xF3, 0x0F, 0x1E, 0xFA};
   EXPECT_TRUE(std::equal(endbr64.begin(), endbr64.end(), bytes));
 }

@@ -57,7 +57,7 @@ TEST_F(IsaCapDeathTest, hides_later_isas_and_none_where_it_is_empty) {
 /// Changes the variable after the cap was read.
 bool cap_ignores_later_changes() {
   const auto first = isa_cap();
-  setenv(kIsaCapVariable, "baseline", 1);
+  set_cap("baseline");
   return first == Isa::sse42 && isa_cap() == first;
 }
 

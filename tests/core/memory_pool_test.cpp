@@ -10,8 +10,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#if __has_include(<sys/wait.h>)
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include "core/byte_image.hpp"
 #include "core/thread_team.hpp"
@@ -152,6 +154,7 @@ TEST_F(MemoryPool, blocks_may_be_freed_and_taken_while_a_thread_ends) {
   }).join();
 }
 
+#if __has_include(<sys/wait.h>)
 TEST_F(MemoryPool, works_in_a_child_after_fork) {
   give_block(take_block(1000));
   const pid_t child = fork();
@@ -168,6 +171,7 @@ TEST_F(MemoryPool, works_in_a_child_after_fork) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   EXPECT_GE(kept_bytes(), std::size_t{1000}) << "of the parent";
 }
+#endif
 
 }  // namespace
 }  // namespace thinbench::detail

@@ -7,16 +7,20 @@
 #include <fstream>
 #include <vector>
 
-#include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <pthread.h>
+#if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
+#endif
+#ifdef THINBENCH_WITH_TBB
+#include <dlfcn.h>
+#include <pthread.h>
+#include <tbb/global_control.h>
 
 #include "core/startable_threads.hpp"
+#endif
 
-#ifndef THINBENCH_SANITIZED  // which replace it, too
+#if defined(THINBENCH_WITH_TBB) && !defined(THINBENCH_SANITIZED)  // sanitizers replace it, too
 namespace {
 std::atomic<int> started = 0;
 std::atomic<int> startable = INT_MAX;  // until none is
@@ -61,6 +65,7 @@ TEST(ThreadTeam, has_no_more_threads_than_are_available) {
   EXPECT_EQ(ThreadTeam(200).threads(), available_threads(200));
 }
 
+#if __has_include(<sys/resource.h>)
 /// The address space that this process uses.
 std::size_t used_bytes() {
   std::size_t pages = 0;
@@ -88,7 +93,9 @@ TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_with_little_memory(8), testing::ExitedWithCode(0), "^$");
 }
+#endif
 
+#ifdef THINBENCH_WITH_TBB
 #ifndef THINBENCH_SANITIZED
 /// Leaves with 0 if threads are tried again only where a limit has changed.
 void start_more_threads_than_the_system_does() {
@@ -122,6 +129,7 @@ TEST(ThreadTeam, prints_nothing_where_the_program_allows_fewer_threads) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_beyond_the_limit_of_the_program(), testing::ExitedWithCode(0), "^$");
 }
+#endif
 
 }  // namespace
 }  // namespace thinbench::detail

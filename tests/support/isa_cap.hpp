@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdlib>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,14 +13,23 @@ namespace thinbench {
 inline constexpr const char* kCapWasRead =
     "another ISA cap was read before; ctest runs this test alone";
 
+/// Sets the variable; an empty cap is none.
+inline void set_cap(const char* cap) {
+#ifdef _WIN32
+  _putenv_s(kIsaCapVariable, cap);
+#else
+  setenv(kIsaCapVariable, cap, 1);
+#endif
+}
+
 /// Sets the variable and restores its old value when destroyed.
 class IsaCap {
  public:
   explicit IsaCap(const char* cap) {
     if (const char* old = std::getenv(kIsaCapVariable)) old_ = old;
-    setenv(kIsaCapVariable, cap, 1);
+    set_cap(cap);
   }
-  ~IsaCap() { old_ ? setenv(kIsaCapVariable, old_->c_str(), 1) : unsetenv(kIsaCapVariable); }
+  ~IsaCap() { set_cap(old_.c_str()); }
   IsaCap(const IsaCap&) = delete;
   IsaCap& operator=(const IsaCap&) = delete;
   IsaCap(IsaCap&&) = delete;
@@ -38,7 +46,7 @@ class IsaCap {
   }
 
  private:
-  std::optional<std::string> old_;
+  std::string old_;
 };
 
 }  // namespace thinbench
