@@ -791,20 +791,20 @@ static void finds_the_main_path_of_a_ring(void) {
   CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
   const thinbench_graph_edge* edges =
       thinbench_graph_edges(graph, &edge_count, sizeof(thinbench_graph_edge));
-  const thinbench_pixel* pixels =
+  const thinbench_pixel* line_pixels =
       thinbench_graph_edge_pixels(graph, &pixel_count, sizeof(thinbench_pixel));
-  CHECK(thinbench_main_paths(1, edges, edge_count, pixels, pixel_count, NULL, &paths) ==
+  CHECK(thinbench_main_paths(1, edges, edge_count, line_pixels, pixel_count, NULL, &paths) ==
         THINBENCH_OK);
   const thinbench_graph_path* list =
       thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path));
   CHECK(count == 1 && list[0].node_count == 1 && list[0].edge_count == 1);
-  CHECK(list[0].first_point == -1 && pixels[list[0].last_point].y == 2);
+  CHECK(list[0].first_point == -1 && line_pixels[list[0].last_point].y == 2);
   thinbench_graph_paths_destroy(paths);
-  rejects(thinbench_main_paths(0, edges, edge_count, pixels, pixel_count, NULL, &paths),
+  rejects(thinbench_main_paths(0, edges, edge_count, line_pixels, pixel_count, NULL, &paths),
           "link 0: expected nodes below 0, got 0 and 0");
-  rejects(thinbench_main_paths(1, edges, edge_count, pixels, 2, NULL, &paths),
+  rejects(thinbench_main_paths(1, edges, edge_count, line_pixels, 2, NULL, &paths),
           "edge 0: expected pixels below 2, got 3 from 0");
-  rejects(thinbench_main_paths(1, NULL, 1, pixels, pixel_count, NULL, &paths), "edges");
+  rejects(thinbench_main_paths(1, NULL, 1, line_pixels, pixel_count, NULL, &paths), "edges");
   CHECK(paths == NULL);
   thinbench_graph_destroy(graph);
 }
