@@ -7,7 +7,7 @@ namespace thinbench {
 namespace {
 
 TEST(Program, every_help_has_examples) {
-  EXPECT_EQ(all_commands(study_program()).size(), 1 + 10 + 2 + 7U);
+  EXPECT_EQ(all_commands(study_program()).size(), 1 + 8 + 2 + 7U);
   expect_every_help_has_examples(study_program());
 }
 

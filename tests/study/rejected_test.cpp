@@ -80,8 +80,6 @@ const std::vector<Rejected> kRejected = {
     {"scene a.png --scale 0", 2, "--scale: expected an integer in [1, 100], got '0'; see"},
     {"scene a.png --noise nan", 2, "--noise: expected a number in [0, 255], got 'nan'; see"},
     {"scene a.xyz", 2, "cannot write 'a.xyz'"},
-    {"machine --options {", 2, R"('{' is not a JSON object such as {"quick": true})"},
-    {"pictures --out pictures --input squares", 2, "input 'squares': expected scene, square_N"},
 };
 
 TEST(StudyProgram, rejects_what_cannot_be_in_one_line_and_writes_nothing) {
