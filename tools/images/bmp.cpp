@@ -59,6 +59,7 @@ class BmpReader {
     if (bits_ > 8) return without_empty_opacity(by_masks());
     Pixels indices = make_pixels(width_, height_, 1, SampleKind::u8);
     has_runs() ? read_runs(indices) : read_indices(indices);
+    if (has_grey_levels()) return indices;
     Pixels levels = through_palette(indices, palette_);
     return as_stored && levels.channels > 1 ? std::move(indices) : std::move(levels);
   }
@@ -66,6 +67,15 @@ class BmpReader {
  private:
   [[nodiscard]] std::uint32_t number(std::size_t at, std::size_t count) const {
     return little_endian(bytes_, at, count);
+  }
+  /// Whether every index is its level.
+  [[nodiscard]] bool has_grey_levels() const {
+    if (palette_.size() != 256) return false;
+    for (std::size_t i = 0; i < palette_.size(); ++i) {
+      const PaletteColour& colour = palette_[i];
+      if (colour.red != i || colour.green != i || colour.blue != i) return false;
+    }
+    return true;
   }
   [[nodiscard]] bool has_runs() const { return compression_ == kRuns8 || compression_ == kRuns4; }
   [[nodiscard]] Index row_bytes() const { return (width_ * bits_ + 31) / 32 * 4; }
