@@ -26,7 +26,7 @@ void give_block(void* block) noexcept;
 [[nodiscard]] std::size_t kept_bytes();
 
 /// What the calling thread, a worker of a team, uses instead of its own blocks as long as this
-/// exists: blocks that such a worker has kept, as nobody can free those of other threads.
+/// exists: blocks that such a worker has kept. Those of a thread cannot be freed by another.
 class WorkerBlocks {
  public:
   WorkerBlocks() noexcept;

@@ -60,8 +60,8 @@ class Diameter {
         points_of_(points_of),
         from_(network),
         to_(network),
-        least_(network.nodes()),
-        most_(network.nodes(), std::numeric_limits<double>::infinity()) {}
+        min_(network.nodes()),
+        max_(network.nodes(), std::numeric_limits<double>::infinity()) {}
 
   /// Of the component of this node, which is its first.
   GraphPath path_of(std::uint32_t first, bool is_tree) {
@@ -76,7 +76,7 @@ class Diameter {
     search(from_, from_.reached().back());
     if (is_tree) {
       // The farthest node is one of the two ends that were searched.
-      for (const std::uint32_t node : nodes) most_[node] = least_[node];
+      for (const std::uint32_t node : nodes) max_[node] = min_[node];
     } else {
       rule_out(nodes);
       rule_out_lines();
@@ -123,29 +123,29 @@ class Diameter {
     longest_ = std::max(longest_, farthest);
     for (const std::uint32_t node : paths.reached()) {
       const double distance = paths.distance(node);
-      least_[node] = std::max({least_[node], distance, farthest - distance});
-      most_[node] = std::min(most_[node], farthest + distance);
+      min_[node] = std::max({min_[node], distance, farthest - distance});
+      max_[node] = std::min(max_[node], farthest + distance);
     }
-    least_[from] = most_[from] = farthest;
+    min_[from] = max_[from] = farthest;
   }
 
   /// Until nothing may be farther from a node than the longest path found: alternately from the
   /// node that may have the farthest and from the one that is most central.
   void rule_out(Nodes open) {
     for (bool central = true;; central = !central) {
-      std::erase_if(open, [&](std::uint32_t node) { return !is_longer(most_[node]); });
+      std::erase_if(open, [&](std::uint32_t node) { return !is_longer(max_[node]); });
       if (open.empty()) return;
       const auto by = [](const std::vector<double>& bounds) {
         return [&bounds](auto a, auto b) { return bounds[a] < bounds[b]; };
       };
-      search(from_, central ? *std::min_element(open.begin(), open.end(), by(least_))
-                            : *std::max_element(open.begin(), open.end(), by(most_)));
+      search(from_, central ? *std::min_element(open.begin(), open.end(), by(min_))
+                            : *std::max_element(open.begin(), open.end(), by(max_)));
     }
   }
 
   /// How far away the farthest point of any point of the line may be.
-  [[nodiscard]] double most_of(const Line& line) const {
-    return line.farthest({most_[line.link.from], most_[line.link.to]});
+  [[nodiscard]] double max_of(const Line& line) const {
+    return line.farthest({max_[line.link.from], max_[line.link.to]});
   }
 
   /// The same for points of lines, whose farthest are points of lines, too: alternately from the
@@ -154,7 +154,7 @@ class Diameter {
     Lines open;
     for (const Line& line : lines_) open.push_back(&line);
     for (bool central = true;; central = !central) {
-      std::erase_if(open, [&](const Line* line) { return !is_longer(most_of(*line)); });
+      std::erase_if(open, [&](const Line* line) { return !is_longer(max_of(*line)); });
       if (open.empty()) return;
       if (central) {
         search_centre(open);
@@ -162,7 +162,7 @@ class Diameter {
       }
       const auto widest =
           std::max_element(open.begin(), open.end(),
-                           [&](const Line* a, const Line* b) { return most_of(*a) < most_of(*b); });
+                           [&](const Line* a, const Line* b) { return max_of(*a) < max_of(*b); });
       search_from_points(**widest, open);
       open.erase(widest);
     }
@@ -173,8 +173,8 @@ class Diameter {
     std::uint32_t centre = kNoLink;
     for (const Line* line : lines) {
       for (const std::uint32_t node : {line->link.from, line->link.to}) {
-        const bool is_open = least_[node] < most_[node];
-        if (is_open && (centre == kNoLink || least_[node] < least_[centre])) centre = node;
+        const bool is_open = min_[node] < max_[node];
+        if (is_open && (centre == kNoLink || min_[node] < min_[centre])) centre = node;
       }
     }
     if (centre != kNoLink) search(from_, centre);
@@ -218,12 +218,12 @@ class Diameter {
 
   GraphPath first_longest(const Nodes& nodes) {
     for (const std::uint32_t node : nodes) {
-      if (!is_longest(most_[node])) continue;
-      if (!is_longest(least_[node])) search(from_, node);
-      if (is_longest(least_[node])) return longest_from(node, nodes);
+      if (!is_longest(max_[node])) continue;
+      if (!is_longest(min_[node])) search(from_, node);
+      if (is_longest(min_[node])) return longest_from(node, nodes);
     }
     for (const Line& line : lines_) {
-      if (!is_longest(most_of(line))) continue;
+      if (!is_longest(max_of(line))) continue;
       search_both_ends(line);
       const GraphPath path = longest_from(line);
       if (!path.edges.empty()) return path;
@@ -266,7 +266,7 @@ class Diameter {
     Lines others;  // those before the line have no such points
     for (const Line& other : lines_) {
       if (other.number < line.number) continue;
-      if (is_longest(most_of(other)) && is_longest(max_distance(line, other))) {
+      if (is_longest(max_of(other)) && is_longest(max_distance(line, other))) {
         others.push_back(&other);
       }
     }
@@ -309,11 +309,11 @@ class Diameter {
 
   const Network& network_;
   const PointsOf& points_of_;
-  std::vector<Line> lines_;    // of the component
-  ShortestPaths from_;         // from one end of a line
-  ShortestPaths to_;           // from the other
-  std::vector<double> least_;  // of the distances of the farthest nodes or points
-  std::vector<double> most_;
+  std::vector<Line> lines_;  // of the component
+  ShortestPaths from_;       // from one end of a line
+  ShortestPaths to_;         // from the other
+  std::vector<double> min_;  // of the distances of the farthest nodes or points
+  std::vector<double> max_;
   double longest_ = 0;
 };
 

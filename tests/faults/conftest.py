@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/faults/libfault_shim.so"))
 SEED = int(os.environ.get("THINBENCH_IMAGES_SEED") or random.SystemRandom().randrange(2**32))
-"""Of images that are drawn anew each time."""
+"""Of images that differ from run to run."""
 SECONDS = 600
 """After so long a program counts as hanging."""
 

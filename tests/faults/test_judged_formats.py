@@ -1,4 +1,4 @@
-"""Image files of every format and depth, drawn anew each time and written by Pillow, tifffile, ImageMagick and OpenCV,
+"""Image files of every format and depth, other ones in each run, written by Pillow, tifffile, ImageMagick and OpenCV,
 mean what docs/images.md makes of the samples that these wrote or, of JPEG, that Pillow reads."""
 
 from __future__ import annotations
