@@ -81,7 +81,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     import cv2
     from distributed import Client, LocalCluster
 
-    from report.many_images.results import CSV, Origin, results_of, to_csv
+    from report.many_images.results import CSV, results_of, to_csv
     from report.many_images.steps import measure
     from report.many_images.tables import TABLES
     cv2.setNumThreads(1)
@@ -94,8 +94,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
             client.run(_ignore_interrupts)
             steps = _steps(program, Path(work), sizes, client, cores)
             samples = measure(steps, sizes.rounds)
-    origin = Origin(machine["commit"], machine["fingerprint"], machine["cpu"]["name"], cores)
-    results = results_of(steps, samples, origin)
+    results = results_of(steps, samples, machine)
     write_file(directory / CSV, to_csv(results).encode())
     return "\n".join([*(table(results) for table in TABLES.values()), f"{directory} holds {CSV}"])
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
+
+import pandas as pd
 
 from report.formatting import duration, interval, markdown_table, three_digits
-from report.many_images.results import Result, series
 from report.many_images.steps import CALLS, CHUNKS, IMAGES, IN_MEMORY, STAGES, WORKERS
 
 
-def _images(results: list[Result]) -> str:
+def _images(results: pd.DataFrame) -> str:
     stages = [dict(_lines(results, IMAGES, f"{stage}_ms")) for stage in STAGES]
     lines = [[f"`{method}`", *(three_digits(of[method].time) for of in stages),
               _ratio(stages[1][method]), three_digits(1e3 / total.time), _ratio(total)]
@@ -19,23 +21,23 @@ def _images(results: list[Result]) -> str:
                           frozenset(range(1, 7)))
 
 
-def _workers(results: list[Result]) -> str:
+def _workers(results: pd.DataFrame) -> str:
     lines = [[method, str(one.x), three_digits(1e3 / one.time), _ratio(one)]
              for method, one in _lines(results, WORKERS, "ms_per_image")]
     return markdown_table(["workers", "number", "images/s", "time / one thread's"], lines,
                           frozenset({1, 2, 3}))
 
 
-def _calls(results: list[Result]) -> str:
+def _calls(results: pd.DataFrame) -> str:
     found = dict(_lines(results, CALLS, "ms_per_call"))
     lines = [[f"`{one.base}`", duration(1e6 * found[one.base].time), f"`{method}`",
               duration(1e6 * one.time), _ratio(one)]
-             for method, one in found.items() if one.ratio]
+             for method, one in found.items() if pd.notna(one.ratio)]
     return markdown_table(["here", "time", "the same by", "its time", "its time / ours"], lines,
                           frozenset({1, 3, 4}))
 
 
-def _dask(results: list[Result]) -> str:
+def _dask(results: pd.DataFrame) -> str:
     """What dask takes for a chunk is the difference of two times."""
     found = list(_lines(results, CHUNKS, "ns_per_pixel"))
     memory = dict(found)[IN_MEMORY].time
@@ -45,19 +47,20 @@ def _dask(results: list[Result]) -> str:
                            "processor time / that of one call"], lines, frozenset({2, 3}))
 
 
-def _lines(results: list[Result], experiment: str, quantity: str) -> Iterator[tuple[str, Result]]:
-    """Each result with its method, by method."""
-    for method, curve in series(results, experiment, quantity).items():
-        yield from ((method, one) for one in curve)
+def _lines(results: pd.DataFrame, experiment: str, quantity: str) -> Iterator[tuple[str, Any]]:
+    """Each line with its method, by method."""
+    chosen = results[(results["experiment"] == experiment) & (results["quantity"] == quantity)]
+    for method, curve in chosen.groupby("method", sort=False):
+        yield from ((str(method), one) for one in curve.itertuples())
 
 
-def _ratio(one: Result) -> str:
-    if one.ratio is None:
+def _ratio(one: Any) -> str:
+    if pd.isna(one.ratio):
         return ""
     flags = f", {one.flags}" if one.flags else ""
     return f"{three_digits(one.ratio)} ({interval(one.ratio_low, one.ratio_high)}{flags})"
 
 
-TABLES: dict[str, Callable[[list[Result]], str]] = {
+TABLES: dict[str, Callable[[pd.DataFrame], str]] = {
     IMAGES: _images, WORKERS: _workers, CALLS: _calls, CHUNKS: _dask}
 """By experiment."""

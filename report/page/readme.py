@@ -22,12 +22,14 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
+import pandas as pd
+
 from report.claims import judge
 from report.claims import to_markdown as claims_to_markdown
 from report.errors import ReportError
 from report.files import write_file
 from report.formatting import NOTHING, markdown_table, speedup_text, three_digits
-from report.many_images.results import CSV, Result
+from report.many_images.results import CSV
 from report.many_images.results import read_csv as read_many_images
 from report.many_images.tables import TABLES
 from report.measure.run import RUN, Run, load_run
@@ -152,9 +154,9 @@ def _pages(run: Run, _: list[str], folder: Path) -> str:
             f"failed.\n")
 
 
-def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
+def _many_images(results: pd.DataFrame, words: list[str], file: Path, folder: Path) -> str:
     if len(words) != 1 or words[0] not in TABLES:
         raise ReportError(f"'many-images {' '.join(words)}': expected one of {', '.join(TABLES)}")
-    one = results[0]
+    one = results.iloc[0]
     return (f"{TABLES[words[0]](results)}\nRun of commit {one.commit} on {one.processor} ({one.machine}), {one.cores} "
             f"cores: [all figures]({os.path.relpath(file, folder)}).\n")
