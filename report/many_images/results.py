@@ -33,7 +33,7 @@ def results_of(steps: list[Step], samples: pd.DataFrame, machine: dict[str, Any]
 
 def _figures(step: Step, quantity: str, own: Time, base: Time) -> list[Any]:
     ratio = ratio_of(own, base)
-    ratios = [None] * 3 if step.base == step.key else [ratio.value, ratio.low, ratio.high]
+    ratios: list[float | None] = [None] * 3 if step.base == step.key else [ratio.value, ratio.low, ratio.high]
     base_name = f"{step.base.method}, {step.base.x}" if step.base.x else step.base.method
     return [*step.key, quantity, own.value, own.high, own.typical, base_name, *ratios, own.processes,
             "" if own.settled and base.settled else "open"]
@@ -41,7 +41,7 @@ def _figures(step: Step, quantity: str, own: Time, base: Time) -> list[Any]:
 
 def to_csv(results: pd.DataFrame) -> str:
     """Four digits; empty where there is no ratio."""
-    return results.to_csv(index=False, float_format="%.4g", lineterminator="\n")
+    return str(results.to_csv(index=False, float_format="%.4g", lineterminator="\n"))
 
 
 def read_csv(path: Path) -> pd.DataFrame:
