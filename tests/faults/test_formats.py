@@ -294,6 +294,7 @@ M565, M555 = struct.pack("<3I", 0xF800, 0x7E0, 0x1F), struct.pack("<3I", 0x7C00,
 BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
     "masks of 32 bits": (bmp(32, 3, struct.pack("<3I", 0xFF000000, 0xFF0000, 0xFF00),
                              struct.pack("<4I", 0xFFFFFF00, 0xFF000000, 0x00FF0000, 0), 4, 1), [[255, 76, 150, 0]]),
+    "masks beyond 24 bits": (bmp(24, 3, struct.pack("<3I", *[0xFF000000] * 3), b"\xff" * 6 + b"\0\0", 2, 1), [[0, 0]]),
     "16 bits": (bmp(16, 0, b"", shorts(0x7FFF, 0x3DEF, 0, 0), 4, 1), [[255, 123, 0, 0]]),
     "4-4-4": (bmp(16, 3, struct.pack("<3I", 0xF00, 0xF0, 0xF), shorts(0xFFF, 0x888, 0, 0), 4, 1), [[255, 136, 0, 0]]),
     "5-6-5": (bmp(16, 3, M565, shorts(0xFFFF, 0x8410, 0, 0), 4, 1), [[255, 131, 0, 0]]),

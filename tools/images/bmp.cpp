@@ -123,7 +123,8 @@ class BmpReader {
       for (std::size_t i = 0; i < 4; ++i)
         masks[i] = i < 3 || has_opacity ? number(54 + 4 * i, 4) : 0;
     }
-    for (std::size_t i = 0; i < 4; ++i) masks_[i] = Mask(masks[i]);
+    const std::uint32_t pixel = bits_ < 32 ? (1U << bits_) - 1 : ~0U;
+    for (std::size_t i = 0; i < 4; ++i) masks_[i] = Mask(masks[i] & pixel);
   }
 
   /// As rows lie in the file.
@@ -160,8 +161,20 @@ class BmpReader {
   }
 
   void copy_bytes(const char* from, std::span<const Mask> masks, std::uint8_t* to) const {
-    for (Index x = 0; x < width_; ++x, from += bits_ / 8) {
-      for (const Mask& mask : masks) *to++ = static_cast<std::uint8_t>(from[mask.byte()]);
+    std::array<int, 4> at{};
+    std::ranges::transform(masks, at.begin(), &Mask::byte);
+    const bool is_short = bits_ == 24;
+    if (masks.size() == 3) {
+      is_short ? copy_bytes<3, 3>(from, at, to) : copy_bytes<4, 3>(from, at, to);
+    } else {
+      is_short ? copy_bytes<3, 4>(from, at, to) : copy_bytes<4, 4>(from, at, to);
+    }
+  }
+
+  template <int kFrom, int kTo>
+  void copy_bytes(const char* from, std::array<int, 4> at, std::uint8_t* to) const {
+    for (Index x = 0; x < width_; ++x, from += kFrom, to += kTo) {
+      for (int k = 0; k < kTo; ++k) to[k] = static_cast<std::uint8_t>(from[at[k]]);
     }
   }
 

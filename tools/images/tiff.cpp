@@ -1,6 +1,7 @@
 #include "images/tiff.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -177,9 +178,25 @@ void check_blocks(const TiffHandle& tiff, const Layout& layout) {
   }
 }
 
+/// The bits of each byte, the highest first, a byte each.
+constexpr auto kBitsOf = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> bits{};
+  for (unsigned byte = 0; byte < 256; ++byte)
+    for (unsigned i = 0; i < 8; ++i) bits[byte][i] = byte >> (7 - i) & 1;
+  return bits;
+}();
+
+void unpack_bits(const std::uint8_t* from, Index count, std::uint8_t* to) {
+  for (Index i = 0; i < count; i += 8, ++from)
+    std::copy_n(kBitsOf[*from].data(), std::min<Index>(8, count - i), to + i);
+}
+
 /// Samples of a row, the first in the highest bits, as numbers.
 template <class T>
 void unpack(const std::uint8_t* from, Index count, int bits, T* to) {
+  if constexpr (sizeof(T) == 1) {
+    if (bits == 1) return unpack_bits(from, count, to);
+  }
   if (bits == 64) {
     for (Index i = 0; i < count; ++i) {
       double value = 0;
@@ -272,14 +289,11 @@ class BlockReader {
   void place(const std::uint8_t* from, Index columns, const Pixels& image, Index x, Index y,
              int plane) {
     const Index together = layout_.samples_together(), channels = image.channels;
+    T* const to = image.samples_of_row<T>(y) + x * channels;
+    if (together == channels) return unpack(from, columns * channels, layout_.bits, to);
     row_.resize(static_cast<std::size_t>(columns * together) * sizeof(T));
     T* const samples = reinterpret_cast<T*>(row_.data());
     unpack(from, columns * together, layout_.bits, samples);
-    T* const to = image.samples_of_row<T>(y) + x * channels;
-    if (together == channels) {
-      std::copy_n(samples, columns * channels, to);
-      return;
-    }
     const Index copied = layout_.is_planar ? 1 : channels;
     for (Index i = 0; i < columns; ++i) {
       for (Index k = 0; k < copied; ++k) to[i * channels + k + plane] = samples[i * together + k];
@@ -333,6 +347,14 @@ template <class T, class Change>
 void for_each_sample(const Pixels& image, const Change& change) {
   T* const all = image.samples_of_row<T>(0);
   for (Index i = 0; i < image.samples(); ++i) all[i] = change(all[i]);
+}
+
+/// Samples up to `max`, of which 0 may be white, become levels up to 255.
+void set_levels(const Pixels& image, std::uint32_t max, bool is_white_first) {
+  std::array<std::uint8_t, 256> levels{};
+  for (std::uint32_t i = 0; i <= max; ++i)
+    levels[i] = static_cast<std::uint8_t>((is_white_first ? max - i : i) * 255 / max);
+  for_each_sample<std::uint8_t>(image, [&](std::uint8_t v) { return levels[v]; });
 }
 
 /// Signed samples begin at `first`; where none is negative, at 0.
@@ -395,24 +417,19 @@ Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, b
     make_unsigned<std::uint16_t, std::int16_t>(image);
   if (layout.is_signed() && image.kind == SampleKind::u32)
     make_unsigned<std::uint32_t, std::int32_t>(image);
-  if (layout.photometric == kMinIsWhite) {
-    if (as_stored) throw DecodeError("labels need 0 as black, and its 0 is white");
-    const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << layout.bits) - 1);
-    if (image.kind == SampleKind::u8)
-      for_each_sample<std::uint8_t>(
-          image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(max - v); });
-    if (image.kind == SampleKind::u16)
-      for_each_sample<std::uint16_t>(
-          image, [=](std::uint16_t v) { return static_cast<std::uint16_t>(max - v); });
+  const bool is_white_first = layout.photometric == kMinIsWhite;
+  if (is_white_first && as_stored) {
+    throw DecodeError("labels need 0 as black, and its 0 is white");
   }
   if (as_stored) return image;
   if (layout.photometric == PHOTOMETRIC_PALETTE)
     return through_palette(image, palette_of(tiff, layout.bits));
-  if (layout.bits < 8) {
-    const int max = (1 << layout.bits) - 1;
-    for_each_sample<std::uint8_t>(
-        image, [=](std::uint8_t v) { return static_cast<std::uint8_t>(v * 255 / max); });
-  }
+  const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << layout.bits) - 1);
+  if (image.kind == SampleKind::u8 && (layout.bits < 8 || is_white_first))
+    set_levels(image, max, is_white_first);
+  if (image.kind == SampleKind::u16 && is_white_first)
+    for_each_sample<std::uint16_t>(
+        image, [=](std::uint16_t v) { return static_cast<std::uint16_t>(max - v); });
   if (layout.photometric != PHOTOMETRIC_SEPARATED) return image;
   return image.kind == SampleKind::u8 ? without_inks<std::uint8_t>(image)
                                       : without_inks<std::uint16_t>(image);
