@@ -10,7 +10,8 @@ one of them was quiet, as a multiple of that one.
     time of a row     = 10 % quantile of (repetition / mean of its probes), times the probe of the run
     speed-up of a row = time of the reference / time of the row
 
-Intervals are by bootstrap over processes, the same processes for all rows. docs/experiments.md has the figures.
+Intervals are by bootstrap over processes, the same processes for all rows, and wider where these are few.
+docs/experiments.md has the figures.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import pandas as pd
+from scipy import stats
 
 FASTEST = 0.005
 """The quantile that stands for the fastest probe of a run."""
@@ -63,6 +65,8 @@ class Time:
     """Repetitions that count."""
     processes: int
     settled: bool
+    counted: int
+    """Processes that have a repetition that counts."""
     draws: Array
     """Values by bootstrap; those of two rows of a run belong together."""
 
@@ -116,17 +120,25 @@ class Estimates:
         relative = (used["relative"] if settled else used["ns"] / self.probe_ns).to_numpy()
         process = used["process"].to_numpy()
         draws = self.probe_ns * _quantiles(relative, self._counts[:, process])
-        low, high = np.quantile(draws, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
         value = self.probe_ns * float(_quantiles(relative, np.ones((1, len(relative))))[0])
-        return Time(value, min(value, float(low)), max(value, float(high)), float(table["ns"].median()), len(quiet),
-                    table["process"].nunique(), settled, draws)
+        counted = used["process"].nunique()
+        return Time(value, *_interval(value, draws, counted), float(table["ns"].median()), len(quiet),
+                    table["process"].nunique(), settled, counted, draws)
 
 
 def ratio_of(above: Time, below: Time) -> Estimate:
     """Of two times of one run."""
     value = above.value / below.value
-    low, high = np.quantile(above.draws / below.draws, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
-    return Estimate(value, min(value, float(low)), max(value, float(high)))
+    return Estimate(value, *_interval(value, above.draws / below.draws, min(above.counted, below.counted)))
+
+
+def _interval(value: float, draws: Array, processes: int) -> tuple[float, float]:
+    """The spread of a bootstrap of n is too small by sqrt((n - 1) / n), and of few processes it is known only as well as
+    Student's t says."""
+    tail, count = (1 - LEVEL) / 2, max(2, processes)
+    wider = stats.t.ppf(1 - tail, count - 1) / stats.norm.ppf(1 - tail) * (count / (count - 1)) ** 0.5
+    low, high = np.quantile(draws / value, (tail, 1 - tail)) ** wider
+    return value * min(1.0, float(low)), value * max(1.0, float(high))
 
 
 def _resampled(processes: int) -> Array:
