@@ -62,7 +62,7 @@ def add_many_images_command(parser: argparse.ArgumentParser) -> None:
 def run_many_images(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
     """Returns the summary to print."""
     check_directory(options.out or RESULTS)
-    programs = build("release", ("thinbench_program", "thinbench_benchmarks", "thinbench_python"))
+    programs = build("release", ("thinbench_program", "thinbench_study", "thinbench_benchmarks", "thinbench_python"))
     chosen = {name: value for name in ("files", "rounds") if (value := getattr(options, name))}
     sizes = Sizes(**vars(QUICK if options.quick else Sizes()) | chosen)
     machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
