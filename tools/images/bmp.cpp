@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t kFileHeader = 14;
 
-enum Compression : std::uint32_t { kPlain, kRuns8, kRuns4, kMasks, kJpeg, kPng, kMasksWithOpacity };
+// What the header says of compression.
+constexpr std::uint32_t kPlain = 0, kRuns8 = 1, kRuns4 = 2, kMasks = 3, kJpeg = 4, kPng = 5,
+                        kMasksWithOpacity = 6;
 
 /// A channel of pixels of 16 or 32 bits.
 class Mask {
@@ -47,7 +49,7 @@ class BmpReader {
     height_ = height < 0 ? -height : height;
     is_top_down_ = height < 0;
     bits_ = number(is_os2 ? 24 : 28, 2);
-    compression_ = is_os2 ? 0 : number(30, 4);
+    compression_ = is_os2 ? kPlain : number(30, 4);
     header_ = number(14, 4);
     data_ = number(10, 4);
     read_palette(is_os2 ? 3 : 4);
