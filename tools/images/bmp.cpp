@@ -173,10 +173,10 @@ class BmpReader {
     }
   }
 
-  template <int kFrom, int kTo>
+  template <int kFrom, std::size_t kTo>
   void copy_bytes(const char* from, std::array<int, 4> at, std::uint8_t* to) const {
     for (Index x = 0; x < width_; ++x, from += kFrom, to += kTo) {
-      for (int k = 0; k < kTo; ++k) to[k] = static_cast<std::uint8_t>(from[at[k]]);
+      for (std::size_t k = 0; k < kTo; ++k) to[k] = static_cast<std::uint8_t>(from[at[k]]);
     }
   }
 
