@@ -113,6 +113,9 @@ class Comparison:
         self.best = _lines([_best(own) for own in rows], clocks)
         self.differences = list(_differences([_facts(run) for run in runs]))
         self.remarks += list(_only_in_one(rows, self.labels))
+        if any(clock != 1 for clock in clocks):
+            self.remarks.append("ratios are of clock cycles where processors are of one kind, whose clock moves: "
+                                "they may differ from those of the times shown")
 
     def _comparable(self, run: Run, label: str) -> list[Row]:
         """Without rows of inputs that are another image in the first run."""

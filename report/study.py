@@ -78,7 +78,7 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> t
     """Returns the summary to print and the exit status."""
     check_binarise_options(parser, options, options.image + options.quality_image)
     check_directory(options.out or RESULTS)
-    experiments = ("thinbench_study",) if options.image or options.quality_image else ()
+    experiments = ("thinbench_study",) if _quality_images(options) else ()
     programs = build("release", BENCHMARKS + experiments, isas=isas_in_use() if options.quick else ())
     machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
     directory = run_directory(options, machine)
@@ -136,9 +136,15 @@ def write_pictures(program: Path, directory: Path, options: argparse.Namespace) 
     _run(program, ["--pictures", str(directory / "pictures"), *input_words(options)], _shown(options))
 
 
+def _quality_images(options: argparse.Namespace) -> list[Path]:
+    """Those that were named for it and, unless only some rows are measured, those that are timed."""
+    timed = [] if options.filter else options.image
+    return [*timed, *options.quality_image]
+
+
 def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """Skeletons of the user's images; those of the built-in images are in results/experiments."""
-    images = options.image + options.quality_image
+    images = _quality_images(options)
     (directory / "experiments" / "quality.json").unlink(missing_ok=True)
     if images:
         words = [word for image in images for word in ("--image", str(image))]

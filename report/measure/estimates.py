@@ -80,8 +80,8 @@ class Estimates:
         self.probe_ns = float(np.quantile(probes, FASTEST))
         quiet = self._is_quiet(samples)
         self.quiet = float(quiet.mean())
-        cycles = (samples["cycle"] / probes.mean(axis=1))[quiet if quiet.any() else slice(None)]
-        self.cycle_ns = self.probe_ns * float(np.median(cycles))
+        at_that_clock = probes.min(axis=1) <= 1.01 * self.probe_ns
+        self.cycle_ns = float(samples["cycle"][at_that_clock].median())
         table = samples if own is None else own
         probe = table[["before", "after"]]
         usual = table["ns"].groupby(table["row"]).transform("median") <= LONG

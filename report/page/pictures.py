@@ -43,15 +43,16 @@ class Pictures:
         return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", title(case) + remark)
 
     def inputs(self) -> list[Picture]:
-        """The main input in grey, else binary."""
-        names = (f"{self.rows.input}_grey.png", f"{self.rows.input}.png")
-        found = (self._picture(name, f"the input, {self.rows.input}") for name in names)
-        return [picture for picture in found if picture][:1]
+        """The main input in grey, and its foreground, of which most operations are timed."""
+        name = self.rows.input
+        found = (self._picture(f"{name}_grey.png", f"the picture, {name}"),
+                 self._picture(f"{name}.png", "its foreground, as it was measured"))
+        return [picture for picture in found if picture]
 
     def first(self) -> list[Picture]:
         """The input and a few results."""
         cases = [case for case in FIRST if case in self.rows.cases] or self.rows.cases
-        return [*self.inputs(), *(one for one in map(self.of_case, cases[:4]) if one)]
+        return [*self.inputs(), *(one for one in map(self.of_case, cases[:3]) if one)]
 
     def _picture(self, name: str, caption: str) -> Picture | None:
         path = self.directory / "pictures" / name

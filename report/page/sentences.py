@@ -14,6 +14,9 @@ from report.page.table_two import PAPER_MACHINE, PAPER_RULE
 NEAR_FASTEST = 1.05
 """How many times the time of the fastest variant what the library takes may need."""
 
+MAX_LONGER = 8
+"""How many times as long a run is advised to be; what is far more is not known well."""
+
 MAX_FLAGGED = 0.05
 """Share of rows without enough quiet moments from which the page warns."""
 
@@ -43,8 +46,9 @@ def _shared(run: Run) -> str:
     state = run.facts["state"]
     if "quiet" not in state:
         return "measure for longer, with --seconds."
-    return (f"others shared the processor for {100 * (1 - state['quiet']):.0f} % of the time. About "
-            f"{state['longer']:.0f} times as long would do: --seconds N, or --resume after Ctrl-C.")
+    more = (f"About {state['longer']:.0f} times as long would do: --seconds N, or --resume after Ctrl-C."
+            if state["longer"] <= MAX_LONGER else "Try again when the machine is quieter.")
+    return f"others shared the processor for {100 * (1 - state['quiet']):.0f} % of the time. {more}"
 
 
 def warning_text(run: Run) -> str:

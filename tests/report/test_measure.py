@@ -68,6 +68,9 @@ def test_the_clock_divides_out_and_stands_beside_the_times() -> None:
     assert times.time(ROW).value == pytest.approx(TIMES["bitpacked"], rel=0.005)
     assert times.time(ROW).quiet == 64
     assert Estimates(samples_of(Noise(clock=2))).cycle_ns == pytest.approx(0.5, rel=0.005)
+    never_quiet = samples_of()
+    never_quiet[["before", "after"]] *= 1 + np.random.default_rng(1).random((len(never_quiet), 2))
+    assert Estimates(never_quiet).cycle_ns == pytest.approx(0.25, rel=0.005)
 
 
 def test_a_repetition_whose_probes_differ_does_not_count() -> None:

@@ -140,7 +140,7 @@ def png(pixels):
 def test_large_images_are_scaled_down(make):
     noise = np.random.RandomState(1).randint(0, 256, (900, 3000), np.uint8)
     page = make(files={"pictures/scene_grey.png": png(noise)}).text("index.html")
-    found = re.search(r'src="data:image/png;base64,([^"]*)" alt="the input, scene, scaled down"', page)
+    found = re.search(r'src="data:image/png;base64,([^"]*)" alt="the picture, scene, scaled down"', page)
     assert found
     with Image.open(io.BytesIO(base64.b64decode(found[1]))) as image:
         assert image.width > 300 and round(image.width / image.height, 1) == 3.3

@@ -46,7 +46,7 @@ def test_a_note_appears_once_and_the_image_is_on_the_page(study, image, tmp_path
     assert errors.count(f"note: {image}: foreground is dark") == 1
     assert "thinbench_benchmarks: " not in errors and "wrote" not in errors
     page = (tmp_path / "run" / "index.html").read_text(encoding="utf-8")
-    assert 'alt="the input, bolt"' in page
+    assert 'alt="the picture, bolt"' in page
     assert load_run(tmp_path / "run").facts["options"]["threads"] == [2, 3]
 
 
