@@ -1,10 +1,10 @@
-"""What image files of every format and depth mean: levels of pixels, each file made here byte by byte or by Pillow."""
+"""What image files mean that no other program writes as test_judged_formats.py has it: levels of pixels, each file made
+here byte by byte or by Pillow."""
 
 from __future__ import annotations
 
 import json
 import struct
-import zlib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -75,16 +75,12 @@ def tiff(width: int, height: int, blocks: Sequence[bytes], tags: Tags) -> bytes:
     return b"II*\0" + struct.pack("<I", 8 + len(data)) + data + count + entries + bytes(4) + more
 
 
-def grey(*levels: int) -> bytes:
-    return bytes(levels)
-
-
 def shorts(*values: int) -> bytes:
     return struct.pack(f"<{len(values)}H", *[v % 65536 for v in values])
 
 
-EXTRA, FORMAT, PHOTOMETRIC, SAMPLES, BITS, PLANAR = 338, 339, 262, 277, 258, 284
-WHITE, GREY, RGB, PALETTE, INKS, YCBCR, LAB = 0, 1, 2, 3, 5, 6, 8
+EXTRA, FORMAT, PHOTOMETRIC, SAMPLES, BITS = 338, 339, 262, 277, 258
+GREY, RGB, PALETTE, YCBCR, LAB = 1, 2, 3, 6, 8
 
 
 def of(kind: int, samples: int, bits: int) -> Tags:
@@ -93,33 +89,14 @@ def of(kind: int, samples: int, bits: int) -> Tags:
 
 
 TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
-    "2 bits": (tiff(4, 1, [b"\x1b"], of(GREY, 1, 2)), [[0, 85, 170, 255]]),
-    "4 bits": (tiff(3, 1, [b"\x0f\x70"], of(GREY, 1, 4)), [[0, 255, 119]]),
-    "12 bits": (tiff(2, 1, [b"\x10\x0f\xff"], of(GREY, 1, 12)), [[0x10, 0xFF]]),
-    "16 bits of 0 is white": (tiff(2, 1, [shorts(0, 65535)], of(WHITE, 1, 16)), [[255, 0]]),
-    "8 bits with signs": (tiff(3, 1, [b"\xff\0\x7f"], {FORMAT: (SHORT, [2])}), [[127, 128, 255]]),
     "16 bits with signs": (tiff(4, 1, [shorts(-1, 0, 300, 32767)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}),
                            [[127, 128, 129, 255]]),
     "16 bits with signs but no negative number": (
         tiff(3, 1, [shorts(0, 1, 255)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}), [[0, 1, 255]]),
-    "grey with opacity": (tiff(2, 1, [b"\xc8\0\xc8\xff"], of(GREY, 2, 8) | {EXTRA: (SHORT, [2])}),
-                          [[0, 200]]),
     "grey multiplied by its opacity": (
         tiff(2, 1, [b"\x20\x40\xc8\xff"], of(GREY, 2, 8) | {EXTRA: (SHORT, [1])}), [[32, 200]]),
     "12 bits with opacity": (tiff(2, 1, [b"\x0f\xff\xff\x0f\xf8\x00"], of(GREY, 2, 12) | {EXTRA: (SHORT, [2])}),
                              [[0xFF, 0x80]]),
-    "colours of 1 bit": (tiff(2, 1, [b"\xe0"], of(RGB, 3, 1)),
-                         [[255, 0]]),
-    "colours of 16 bits": (
-        tiff(2, 1, [shorts(65535, 65535, 65535, 2570, 2570, 2570)],
-             of(RGB, 3, 16)), [[255, 10]]),
-    "colours in planes": (
-        tiff(2, 1, [b"\x05\xff", b"\x05\xff", b"\x05\xff"],
-             of(RGB, 3, 8) | {PLANAR: (SHORT, [2])}), [[5, 255]]),
-    "inks": (tiff(3, 1, [b"\0\0\0\0" b"\0\0\0\xff" b"\x80\x80\x80\0"],
-                  of(INKS, 4, 8)), [[255, 0, 127]]),
-    "inks of 16 bits": (tiff(2, 1, [shorts(0, 0, 0, 0, 0, 0, 0, 65535)],
-                             of(INKS, 4, 16)), [[255, 0]]),
     "palette of 16 bits": (
         tiff(2, 1, [shorts(0, 40000)],
              of(PALETTE, 1, 16) | {320: (SHORT, ([0] * 40000 + [25700] + [0] * 25535) * 3)}),
@@ -131,13 +108,10 @@ TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
     "Lab": (tiff(2, 1, [b"\0\0\0\xff\0\0"], of(LAB, 3, 8)),
             [[0, 249]]),  # libtiff's white point; ImageMagick says 255
     "a strip of more rows than there are": (
-        tiff(2, 2, [grey(1, 2, 3, 255)], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
-    "32 bits": (tiff(2, 1, [struct.pack("<2I", 3, 255)], of(GREY, 1, 32)), [[3, 255]]),
+        tiff(2, 2, [bytes([1, 2, 3, 255])], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
     "32 bits above 65535": (tiff(3, 1, [struct.pack("<3I", 0, 10**6, 2 * 10**6)], of(GREY, 1, 32)), [[0, 127, 255]]),
     "real numbers": (tiff(4, 1, [struct.pack("<4f", -1, float("nan"), 0, 1)], of(GREY, 1, 32) | {FORMAT: (SHORT, [3])}),
                      [[0, 0, 128, 255]]),
-    "real numbers of 64 bits": (tiff(2, 1, [struct.pack("<2d", 3, 255)], of(GREY, 1, 64) | {FORMAT: (SHORT, [3])}),
-                                [[3, 255]]),
 }
 
 
@@ -146,15 +120,6 @@ def test_tiff(kind: str, tmp_path: Path) -> None:
     data, levels = TIFFS[kind]
     (tmp_path / "a.tif").write_bytes(data)
     assert shown(tmp_path / "a.tif") == levels
-
-
-def test_tiles_that_the_image_does_not_fill(tmp_path: Path) -> None:
-    levels = np.random.RandomState(0).randint(0, 256, (20, 20))
-    padded = np.zeros((32, 32), np.uint16)
-    padded[:20, :20] = levels * 257
-    tiles = [padded[y:y + 16, x:x + 16].tobytes() for y in (0, 16) for x in (0, 16)]
-    (tmp_path / "a.tif").write_bytes(tiff(20, 20, tiles, of(GREY, 1, 16) | {322: (LONG, [16]), 323: (LONG, [16])}))
-    assert shown(tmp_path / "a.tif") == levels.tolist()
 
 
 @pytest.mark.parametrize("compression", [33003, 34712, 34892, 50013, 65000])
@@ -183,13 +148,6 @@ def test_rows_too_long_for_the_decoder_are_one_line_with_the_name(tmp_path: Path
     (tmp_path / "a.tif").write_bytes(tiff(2**30 + 9, 9, [b"\xb4\xae\xaa"], {259: (SHORT, [2]), BITS: (SHORT, [1])}))
     for out, says in (("out.tif", "there is not enough memory for it"), ("out.png", "it has more than 2\\^31 pixels")):
         run(["thinbench", "run", "thin_guo_hall", "a.tif", out], tmp_path).assert_failed(f"cannot read 'a.tif': {says}")
-
-
-def test_lab_and_jpeg_in_tiff_are_those_of_pillow(tmp_path: Path) -> None:
-    ramp = np.add.outer(np.arange(64), 2 * np.arange(64)).astype(np.uint8)
-    Image.fromarray(np.dstack([ramp, ramp, ramp])).save(tmp_path / "a.tif", compression="jpeg", quality=95)
-    expected = np.asarray(Image.open(tmp_path / "a.tif").convert("L")).astype(int)
-    assert abs(np.array(shown(tmp_path / "a.tif")) - expected).max() <= 1
 
 
 def test_map_keeps_its_coordinates(tmp_path: Path) -> None:
@@ -295,12 +253,9 @@ BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
     "masks of 32 bits": (bmp(32, 3, struct.pack("<3I", 0xFF000000, 0xFF0000, 0xFF00),
                              struct.pack("<4I", 0xFFFFFF00, 0xFF000000, 0x00FF0000, 0), 4, 1), [[255, 76, 150, 0]]),
     "masks beyond 24 bits": (bmp(24, 3, struct.pack("<3I", *[0xFF000000] * 3), b"\xff" * 6 + b"\0\0", 2, 1), [[0, 0]]),
-    "16 bits": (bmp(16, 0, b"", shorts(0x7FFF, 0x3DEF, 0, 0), 4, 1), [[255, 123, 0, 0]]),
     "4-4-4": (bmp(16, 3, struct.pack("<3I", 0xF00, 0xF0, 0xF), shorts(0xFFF, 0x888, 0, 0), 4, 1), [[255, 136, 0, 0]]),
-    "5-6-5": (bmp(16, 3, M565, shorts(0xFFFF, 0x8410, 0, 0), 4, 1), [[255, 131, 0, 0]]),
     "5-5-5-1": (bmp(16, 3, M555 + struct.pack("<I", 0x8000), shorts(0xFFFF, 0xBDEF, 0x8000, 0x8000), 4, 1, 56),
                 [[255, 123, 0, 0]]),
-    "version 3": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 52), [[255, 0]]),
     "version 4": (bmp(16, 3, M565, shorts(0xFFFF, 0), 2, 1, 108), [[255, 0]]),
     "version 5": (bmp(24, 0, b"", b"\7\7\7\xc8\xc8\xc8\0\0", 2, 1, 124), [[7, 200]]),
     "top row first": (bmp(8, 0, b"", b"\1\2\0\0\3\4\0\0", 2, -2, colours=GREYS), [[1, 2], [3, 4]]),
@@ -330,9 +285,6 @@ def test_bmp_that_is_not_read_says_why(tmp_path: Path) -> None:
 
 
 # Palettes and transparency.
-
-def chunk(kind: bytes, data: bytes) -> bytes:
-    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
 
 def test_palette_files_hold_labels(tmp_path: Path) -> None:

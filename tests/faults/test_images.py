@@ -1,8 +1,7 @@
-"""What becomes of image files of every kind, and of hostile ones; docs/images.md says it in words."""
+"""Image files that say how they are turned, and hostile ones: what the program makes of them, and the memory it takes."""
 
 from __future__ import annotations
 
-import functools
 import io
 import json
 import re
@@ -13,21 +12,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import READERS, Fault, binary, files_in, measured_run, parts, run
+from conftest import READERS, Fault, files_in, measured_run, parts, run
 from PIL import Image, TiffImagePlugin
+from test_formats import LONG, SHORT, Tags, tiff
 
 GREY = parts()
-COLOUR = Image.merge("RGB", [GREY] * 3)
-DEEP = Image.fromarray(np.asarray(GREY).astype(np.uint16) * 257)
-CLEAR = COLOUR.copy()
-CLEAR.putalpha(0)
-
-
-def pnm_text(kind: str, head: str) -> bytes:
-    """Of the parts, as numbers."""
-    rows = np.asarray(binary(GREY) if kind == "P1" else GREY).astype(int)
-    return f"{kind}\n# parts\n300 200\n{head}".encode() + b"\n".join(
-        " ".join(map(str, row)).encode() for row in rows)
 
 
 def save(image: Image.Image, **how: object) -> Callable[[Path], None]:
@@ -44,40 +33,6 @@ def save_bytes(data: bytes) -> Callable[[Path], None]:
     return write
 
 
-KINDS: dict[str, Callable[[Path], None]] = {
-    "1 bit.png": save(binary(GREY)), "grey.png": save(GREY), "16 bits.png": save(DEEP), "colour.png": save(COLOUR),
-    "2 bits.png": save(GREY.quantize(4), bits=2),
-    "palette.png": save(GREY.convert("P")), "transparent.png": save(CLEAR),
-    "transparent grey.png": save(Image.merge("LA", [GREY, Image.new("L", GREY.size)])),
-    "grey.jpg": save(GREY, quality=95), "colour.jpg": save(COLOUR, quality=95),
-    "progressive.jpg": save(COLOUR, quality=95, progressive=True),
-    "cmyk.jpg": save(COLOUR.convert("CMYK"), quality=95),
-    "1 bit.tif": save(binary(GREY)), "group 4.tif": save(binary(GREY), compression="group4"), "grey.tif": save(GREY),
-    "lzw.tif": save(GREY, compression="tiff_lzw"), "deflate.tif": save(GREY, compression="tiff_adobe_deflate"),
-    "16 bits.tif": save(DEEP), "colour.tif": save(COLOUR), "palette.tif": save(GREY.convert("P")),
-    "cmyk.tif": save(COLOUR.convert("CMYK")), "jpeg.tif": save(COLOUR, compression="jpeg"),
-    "pages.tif": save(GREY, save_all=True, append_images=[Image.new("L", (9, 9))]),
-    "1 bit.bmp": save(binary(GREY)), "palette.bmp": save(GREY.convert("P")), "grey.bmp": save(GREY),
-    "colour.bmp": save(COLOUR), "grey.pgm": save(GREY), "colour.ppm": save(COLOUR),
-    "text.pbm": save_bytes(pnm_text("P1", "")),
-    "text.pgm": save_bytes(pnm_text("P2", "255\n")),
-}
-
-
-@functools.cache
-def facts_of(name: str, directory: Path) -> dict[str, object]:
-    """What is found in an image."""
-    result = run(["thinbench", "holes", name, "--json"], directory)
-    assert result.status == 0, result
-    found: dict[str, object] = json.loads(result.out)
-    return found
-
-
-def objects_in(name: str, directory: Path) -> object:
-    """With their holes."""
-    return facts_of(name, directory)["objects"]
-
-
 def expect_one_line(words: list[str], directory: Path, says: str) -> None:
     """And nothing new."""
     before = files_in(directory)
@@ -85,22 +40,11 @@ def expect_one_line(words: list[str], directory: Path, says: str) -> None:
     assert files_in(directory) == before
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_kinds_show_the_same_parts(kind: str, inputs: Path, tmp_path: Path) -> None:
-    """Colours become grey, transparency is left out."""
-    KINDS[kind](tmp_path / kind)
-    assert objects_in(kind, tmp_path) == objects_in("a.png", inputs)
-
-
-def test_black_bits_of_a_pbm_file_are_dark(tmp_path: Path) -> None:
-    """Where it is read as a grey image, though 1 is foreground where it stays packed."""
-    binary(GREY).save(tmp_path / "a.pbm")  # bright parts: 0
-    assert facts_of("a.pbm", tmp_path)["foreground"] == "bright"
-
-
-@pytest.mark.parametrize("kind, orientation", [
-    *(("jpg", orientation) for orientation in range(1, 9)), ("png", 6), ("png", 7), ("tif", 6), ("tif", 7)])
-def test_images_are_turned_as_they_say(kind: str, orientation: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind, orientation, command", [
+    *(("jpg", orientation, "holes") for orientation in range(1, 9)),
+    *((kind, orientation, "holes") for kind in ("png", "tif") for orientation in (6, 7)),
+    ("png", 6, "graph --labels"), ("tif", 6, "graph --labels")])
+def test_images_are_turned_as_they_say(kind: str, orientation: int, command: str, tmp_path: Path) -> None:
     """EXIF of JPEG and PNG, the tag of TIFF."""
     exif = Image.Exif()
     exif[0x112] = orientation
@@ -111,25 +55,10 @@ def test_images_are_turned_as_they_say(kind: str, orientation: int, tmp_path: Pa
              Image.Transpose.ROTATE_90]
     turn = turns[orientation - 1]
     (GREY if turn is None else GREY.transpose(turn)).save(tmp_path / "expected.png")
-    assert objects_in(f"a.{kind}", tmp_path) == objects_in("expected.png", tmp_path)
-
-
-@pytest.mark.parametrize("kind", ["png", "tif"])
-def test_label_images_are_turned_as_they_say(kind: str, tmp_path: Path) -> None:
-    exif = Image.Exif()
-    exif[0x112] = 6
-    labels = GREY.point(lambda level: 7 if level > 127 else 0)
-    labels.save(tmp_path / f"a.{kind}", **({"tiffinfo": {0x112: 6}} if kind == "tif" else {"exif": exif}))
-    labels.transpose(Image.Transpose.ROTATE_270).save(tmp_path / "expected.png")
-    found = [run(["thinbench", "graph", name, "--labels", "--json"], tmp_path) for name in (f"a.{kind}", "expected.png")]
-    graphs = [json.loads(ran.out) for ran in found]
-    assert graphs[0]["edges"] == graphs[1]["edges"] != []
-
-
-def test_transparent_pixels_of_tiff_are_black(tmp_path: Path) -> None:
-    """Its decoder multiplies colours by the opacity."""
-    CLEAR.save(tmp_path / "a.tif")
-    assert objects_in("a.tif", tmp_path) == []
+    results = [run(["thinbench", *command.split(), name, "--json"], tmp_path) for name in (f"a.{kind}", "expected.png")]
+    found, expected = (json.loads(result.out) for result in results)
+    key = "objects" if command == "holes" else "edges"
+    assert found[key] == expected[key] != []
 
 
 @pytest.mark.parametrize("start", [b"RIFF", b"RIFFr\0 ", b"RIFFr\0  WEB", b"\0\0\0 ftyp", b"GIF8", b"\x89PNG", b"BM"])
@@ -172,22 +101,21 @@ def jpeg(width: int, height: int, frame: int) -> bytes:
     return bytes(data)
 
 
-def tiff(width: int, height: int, compression: int, tile: int = 0) -> bytes:
-    """Ten kilobytes that claim a size."""
-    place = [(322, tile), (323, tile), (324, 200), (325, 10000)] if tile else [(273, 200), (278, height), (279, 10000)]
-    tags = sorted([(256, width), (257, height), (258, 8), (259, compression), (262, 1), (277, 1), *place])
-    body = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags)
-    head = b"II*\0\x08\0\0\0" + struct.pack("<H", len(tags)) + body + b"\0\0\0\0"
-    return head.ljust(200, b"\0") + zlib.compress(bytes(9_000_000), 9).ljust(10000, b"\0")
-
-
 NOTHING = zlib.compress(bytes(10_000_000), 9)
+
+
+def tiff_of(width: int, height: int, compression: int, tile: int = 0) -> bytes:
+    """Ten kilobytes that claim a size."""
+    tags: Tags = {259: (SHORT, [compression])}
+    return tiff(width, height, [NOTHING], tags | ({322: (LONG, [tile]), 323: (LONG, [tile])} if tile else {}))
+
+
 BOMBS = {
     "grey.png": png(30000, 30000, 8, 0, NOTHING), "1 bit.png": png(30000, 30000, 1, 0, NOTHING),
     "16 bits.png": png(30000, 30000, 16, 6, NOTHING), "palette.png": png(30000, 30000, 4, 3, NOTHING),
     "baseline.jpg": jpeg(30000, 30000, 0xC0), "progressive.jpg": jpeg(30000, 30000, 0xC2),
-    "plain.tif": tiff(30000, 30000, 1), "lzw.tif": tiff(30000, 30000, 5), "deflate.tif": tiff(30000, 30000, 8),
-    "packbits.tif": tiff(30000, 30000, 32773),
+    "plain.tif": tiff_of(30000, 30000, 1), "lzw.tif": tiff_of(30000, 30000, 5), "deflate.tif": tiff_of(30000, 30000, 8),
+    "packbits.tif": tiff_of(30000, 30000, 32773),
     "a.bmp": b"BM" + struct.pack("<IIIIiiHHIIIIII", 10000, 0, 54, 40, 30000, -30000, 1, 24, 0, 0, 0, 0, 0, 0) + NOTHING,
     "a.pgm": b"P5 30000 30000 255\n" + NOTHING, "text.pgm": b"P2 30000 30000 255\n" + b"1 " * 5000,
     "a.pam": b"P7\nWIDTH 30000\nHEIGHT 30000\nDEPTH 3\nMAXVAL 255\nTUPLTYPE RGB\nENDHDR\n" + NOTHING,
@@ -227,12 +155,12 @@ def test_batch_refuses_bombs_and_does_the_rest(idle_bytes: int, tmp_path: Path) 
 
 @pytest.mark.parametrize("name, data, says", [
     ("arithmetic coding.jpg", jpeg(300, 200, 0xC9), "arithmetic coding"),
-    ("large tiles.tif", tiff(16, 16, 8, 16384), "its tiles of 16384 x 16384 pixels are larger than its 16 x 16"),
+    ("large tiles.tif", tiff_of(16, 16, 8, 16384), "its tiles of 16384 x 16384 pixels are larger than its 16 x 16"),
     ("no pixels.png", png(0, 5, 8, 0, NOTHING), "damaged"),
     ("colours.png", png(5, 5, 8, 7, NOTHING), "damaged"),
     ("bits.png", png(5, 5, 3, 0, NOTHING), "damaged"),
     ("huge.png", png(2**31 - 1, 2**31 - 1, 1, 0, NOTHING), "pixels|damaged"),
-    ("huge.tif", tiff(2**32 - 1, 2**32 - 1, 8), "pixels|damaged"),
+    ("huge.tif", tiff_of(2**32 - 1, 2**32 - 1, 8), "pixels|damaged"),
     ("huge.pgm", b"P5 99999999999999999999 2 255\n", "damaged|pixels"),
     ("negative.pgm", b"P5 -5 5 255\n" + b"1" * 99, "damaged"),
     ("huge.pam", b"P7\nWIDTH 3\nHEIGHT 9223372036854775807\nDEPTH 3\nMAXVAL 255\nENDHDR\n", "damaged|pixels"),

@@ -14,7 +14,6 @@ import pytest
 
 import thinbench
 from images import random_image
-from test_every_rule import all_options, every_rule, or_reason
 from thinbench import Rule
 
 dask = pytest.importorskip("dask")
@@ -22,6 +21,28 @@ da = pytest.importorskip("dask.array")
 zarr = pytest.importorskip("zarr")
 tb_dask = pytest.importorskip("thinbench.dask")
 dask_thinning = importlib.import_module("thinbench._dask_thinning")
+
+
+def random_rule(seed: int, **options: object) -> Rule:
+    """Of two tables that remove pixels, and often add some."""
+    changed = np.random.RandomState(seed).rand(2, 512) < 0.1
+    return Rule(((np.arange(512) & 16) != 0) ^ changed, **options)
+
+
+RULES = {name: name for name in [*thinbench.rules(), "thin_lu_wang", "majority", "erode", "golay_l"]} | {
+    "tables": random_rule(1, max_iterations=3), "tables, border kept": random_rule(2, max_iterations=4, border="keep"),
+    "net": Rule.named("net_two_layer_linear")}
+OPTIONS = [{}, {"max_iterations": 2}, {"border": "background", "max_iterations": 2**31 - 1},
+           *({"border": border} for border in ("background", "keep", "foreground"))]
+
+
+def or_reason(function, *arguments, **options):
+    """The result of a call, or why it is rejected."""
+    try:
+        return function(*arguments, **options)
+    except ValueError as error:
+        assert "\n" not in str(error)
+        return str(error)
 
 
 @pytest.fixture(autouse=True)
@@ -47,20 +68,8 @@ def random_array(seed: int, max_chunk: int = 40) -> tuple[np.ndarray, object]:
     return image, da.from_array(image, chunks=chunks)
 
 
-@pytest.mark.parametrize("rule", thinbench.rules())
-def test_reach_is_what_one_changed_pixel_changes_in_an_iteration(rule):
-    random, side, middle = np.random.RandomState(3), 25, 12
-    images = random.rand(4000, side, side) < random.choice([0.75, 0.85, 0.93], (4000, 1, 1))
-    changed = images.copy()
-    changed[:, middle, middle] ^= True
-    differs = (thinbench.thin(images, rule, max_iterations=1)
-               != thinbench.thin(changed, rule, max_iterations=1)).any(axis=0)
-    reach = int(np.abs(np.argwhere(differs) - middle).max())
-    assert reach == Rule.named(rule).reach
-
-
-@every_rule
-@all_options
+@pytest.mark.parametrize("rule", RULES.values(), ids=RULES)
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
 def test_result_equals_that_in_memory_for_any_chunks_and_limited_ones_are_lazy(rule, options):
     computed = []
     for seed in range(4):
@@ -147,6 +156,11 @@ ARRAY = da.ones((9, 9), dtype=bool, chunks=3)
     (lambda: tb_dask.thin(ARRAY, out=np.ones((9, 9), bool)), TypeError, "ndarray"),
     (lambda: tb_dask.thin(ARRAY, out=zarr.zeros((9, 8), dtype=bool)), ValueError, r"\(9, 8\)"),
     (lambda: tb_dask.find_regions(np.ones((4, 4), bool)), TypeError, "ndarray"),
+    *((lambda call=call, more=more: call(da.zeros((7, 40, 50), dtype=np.uint8), *more), ValueError,
+       r"expected shape \(H, W\), got \(7, 40, 50\)") for call, *more in (
+          (tb_dask.thin,), (tb_dask.find_regions,), (tb_dask.detect_edges,), (tb_dask.distances, 3), (tb_dask.fill_holes, 3))),
+    *((lambda value=value: tb_dask.distances(ARRAY, value), ValueError, "max_distance") for value in (0, np.nan, 1e6)),
+    (lambda: tb_dask.fill_holes(ARRAY, 0), ValueError, "max_size"),
 ])
 def test_invalid_arguments_are_rejected_in_one_line(call, error, message):
     with pytest.raises(error, match=message) as caught:
@@ -291,15 +305,3 @@ def test_distances_are_exact_up_to_the_halo(seed):
     expected = thinbench.distances(image)
     expected[expected > limit] = np.inf
     np.testing.assert_array_equal(tb_dask.distances(array, limit).compute(), expected)
-
-
-def test_errors_of_dask_show_the_shape():
-    for call in (tb_dask.thin, tb_dask.find_regions, tb_dask.detect_edges, lambda a: tb_dask.distances(a, 3),
-                 lambda a: tb_dask.fill_holes(a, 3)):
-        with pytest.raises(ValueError, match=r"expected shape \(H, W\), got \(7, 40, 50\)"):
-            call(da.zeros((7, 40, 50), dtype=np.uint8))
-    for value in (0, np.nan, 1e6):
-        with pytest.raises(ValueError, match="max_distance"):
-            tb_dask.distances(da.zeros((4, 4), dtype=bool), value)
-    with pytest.raises(ValueError, match="max_size"):
-        tb_dask.fill_holes(da.zeros((4, 4), dtype=bool), 0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heapq
 import json
 import sys
 
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 import thinbench
-from images import random_image
 from program import ROOT, assert_rejected, run_text
 
 sys.path.insert(0, str(ROOT / "python" / "examples"))
@@ -51,59 +49,6 @@ def room_at_halves(free):
     return np.full(fine.shape, np.inf) if free.all() else ndimage.distance_transform_edt(fine)
 
 
-def neighbours(pixel, free, width, rooms):
-    """Those at the ends of steps with room, each with its distance."""
-    row, column = pixel
-    for y in range(max(row - 1, 0), min(row + 2, free.shape[0])):
-        for x in range(max(column - 1, 0), min(column + 2, free.shape[1])):
-            slips = not free[row, x] and not free[y, column]
-            if (y, x) != pixel and free[y, x] and not slips and min(rooms[2 * y, 2 * x], rooms[y + row, x + column]) >= width:
-                yield (y, x), np.sqrt(abs(y - row) + abs(x - column))
-
-
-def lowest_cost(free, width, skeleton, start, goal):
-    """Dijkstra's algorithm over all pixels with room; infinite where there is no path."""
-    rooms = room_at_halves(free)
-    costs, queue = {start: 0.0}, [(0.0, start)]
-    while queue:
-        cost, pixel = heapq.heappop(queue)
-        if pixel == goal:
-            return cost
-        if cost > costs[pixel]:
-            continue
-        for other, step in neighbours(pixel, free, width, rooms):
-            new = cost + (step if skeleton[pixel] and skeleton[other] else 4 * step)
-            if new < costs.get(other, np.inf):
-                costs[other] = new
-                heapq.heappush(queue, (new, other))
-    return np.inf
-
-
-def cost_of(path, skeleton):
-    on = skeleton[tuple(path.T)]
-    steps = np.hypot(*np.diff(path, axis=0).T)
-    return np.where(on[1:] & on[:-1], steps, 4 * steps).sum()
-
-
-@pytest.mark.parametrize("seed", range(200))
-def test_no_path_costs_less_and_there_is_one_wherever_steps_with_room_join_start_and_goal(seed):
-    free = ndimage.binary_dilation(random_image(seed, 40), iterations=1 + seed % 3)
-    width = [0, 2, 2.5, 3, 4][seed % 5]
-    room = free & (2 * ndimage.distance_transform_edt(free) >= width)
-    skeleton = thinbench.prune(thinbench.thin(free), min_widths=1, image=free)
-    random, places = np.random.RandomState(seed), np.argwhere(room)
-    for _ in range(3 if len(places) > 1 else 0):
-        start, goal = map(tuple, random.permutation(places)[:2])
-        cost = lowest_cost(free, width, skeleton, start, goal)
-        if np.isfinite(cost):
-            found = thinbench.find_path(free, start, goal, width)
-            assert_is_path(found, free, start, goal, width)
-            assert cost_of(found, skeleton) == pytest.approx(cost)
-        else:
-            with pytest.raises(ValueError, match="^no path from"):
-                thinbench.find_path(free, start, goal, width)
-
-
 @pytest.mark.parametrize("width", [16, 32])
 def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
     path, free = plan
@@ -120,15 +65,6 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
     by_steps = planning.plan_path(free, skeleton, width, planning.START, planning.GOAL)
     assert length(found) == pytest.approx(length(by_steps), rel=0.005)
     assert cv2.imread(str(overlay)).shape == (*free.shape, 3)
-
-
-def test_the_path_follows_the_skeleton():
-    free = np.zeros((41, 101), bool)
-    free[5:36, 5:96] = True
-    found = thinbench.find_path(free, (20, 20), (20, 80))
-    assert (found[:, 0] == 20).all()
-    found = thinbench.find_path(free, (10, 20), (10, 80))
-    assert found[30:-30, 0].min() >= 19
 
 
 def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):

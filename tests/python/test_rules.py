@@ -1,4 +1,4 @@
-"""Rules: other projects' results, tables, notations, files, threads, memory."""
+"""Rules: tables, notations, files, threads, memory."""
 
 from __future__ import annotations
 
@@ -14,38 +14,12 @@ import pytest
 
 import thinbench
 from images import random_image
-from record_bwmorph import OPERATION_CASES, OPERATIONS, assert_recorded, repetitions
-from thinbench import Rule, compat
+from thinbench import Rule
 from waiting import in_eight_threads
 
-CENTRE = (np.arange(512) & 16) != 0
-
-
-@pytest.mark.parametrize("operation", OPERATIONS)
-def test_bwmorph_equals_the_recorded_results_of_octave(operation):
-    assert_recorded(operation, [compat.bwmorph(random_image(seed), operation, repetitions(seed))
-                                for seed in range(OPERATION_CASES)])
-
-
-def test_bwmorph_with_inf_repeats_until_nothing_changes():
-    assert not compat.bwmorph(np.pad(random_image(5), 1), "erode", np.inf).any()
-
-
-@pytest.mark.parametrize("name", ["corner", "dilation4", "dilation8", "erosion4", "erosion8", "edge"])
-def test_patterns_give_the_table_of_pillow(name):
-    builder = pytest.importorskip("PIL.ImageMorph").LutBuilder(op_name=name)
-    rule = Rule.from_patterns(builder.patterns, max_iterations=1)
-    assert rule.tables[0].astype(np.uint8).tobytes() == builder.build_lut()
-
-
-@pytest.mark.parametrize(("cells", "side", "generations", "count"), [
-    ([".##", "##.", ".#."], 600, 1103, 116), ([".#.....", "...#...", "##..###"], 2800, 5206, 633)],
-    ids=["r-pentomino", "acorn"])
-def test_patterns_of_life_have_their_known_numbers_of_cells(cells, side, generations, count):
-    board = np.zeros((side, side), bool)
-    pattern = np.array([[cell == "#" for cell in row] for row in cells])
-    board[side // 2:, side // 2:][:pattern.shape[0], :pattern.shape[1]] = pattern
-    assert np.count_nonzero(thinbench.apply(board, "life", max_iterations=generations)) == count
+PIXELS = (np.arange(512) >> np.arange(9)[:, None]) & 1 == 1
+"""Of all windows, in raster order."""
+CENTRE = PIXELS[4]
 
 
 # Tables and notations.
@@ -62,6 +36,14 @@ def test_tables_are_bits_of_any_type_and_read_only(kind):
         rule.tables.flags.writeable = True
     with pytest.raises(AttributeError):
         rule.border = "keep"
+
+
+@pytest.mark.parametrize(("rule", "table"), [
+    (Rule.from_hensel("B/S012345678"), CENTRE), (Rule.from_patterns(["1:(..1 .0. ...)->1"]), CENTRE | PIXELS[2]),
+    *((Rule.from_removals(np.arange(256) >> 3 & 1, order), CENTRE & ~PIXELS[pixel])
+      for order, pixel in (("descriptor", 0), ("raster", 3), ("clockwise", 5)))])
+def test_notations_and_orders_make_their_tables(rule, table):
+    np.testing.assert_array_equal(rule.tables, table[None])
 
 
 def test_makelut_and_function_agree():
@@ -81,30 +63,15 @@ def test_makelut_and_function_agree():
     np.testing.assert_array_equal(both.tables, np.repeat(expected.tables, 2, axis=0))
 
 
-@pytest.mark.parametrize(("order", "pixels"), [
-    ("descriptor", (5, 2, 1, 0, 3, 6, 7, 8)), ("raster", (0, 1, 2, 3, 5, 6, 7, 8)), ("clockwise", (0, 1, 2, 5, 8, 7, 6, 3))])
-def test_bits_of_removals_are_the_neighbours_in_this_order(order, pixels):
-    removed = np.random.RandomState(3).rand(256) < 0.5
-    windows = np.arange(512)
-    index = sum((windows >> pixel & 1) << bit for bit, pixel in enumerate(pixels))
-    rule = Rule.from_removals(removed, order)
-    np.testing.assert_array_equal(rule.tables[0], CENTRE & ~removed[index])
-
-
-def test_built_in_rules_are_listed_and_found():
-    rules = thinbench.rules()
-    assert next(iter(rules)) == "naccache_shinghal" and not set(rules) & set(thinbench.named_rules())
-    for name, rule in rules.items():
-        assert rule == Rule.named(name) and rule.name == name
-        assert rule.description and rule.is_built_in
-
-
-def test_named_rules_are_listed_and_found():
-    rules = thinbench.named_rules()
-    assert list(rules) == sorted(rules) and len(rules) >= 16
-    for name, rule in rules.items():
-        assert rule == Rule.named(name) and rule.name == name
-        assert rule.description and rule.source and not rule.is_built_in
+def test_rules_are_listed_and_found():
+    built_in, named = thinbench.rules(), thinbench.named_rules()
+    assert next(iter(built_in)) == "naccache_shinghal" and list(named) == sorted(named) and len(named) >= 16
+    assert len(built_in | named) == len(built_in) + len(named)
+    for name, rule in (built_in | named).items():
+        assert rule == Rule.named(name) and rule.name == name and rule.description
+        assert rule.is_built_in == (name in built_in)
+    assert all(rule == Rule.named(f"thin_{name}") for name, rule in built_in.items())
+    assert all(rule.source for rule in named.values())
     assert Rule.named("life") == Rule.from_hensel("B3/S23", max_iterations=1)
 
 

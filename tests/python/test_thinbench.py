@@ -41,14 +41,43 @@ def test_bool_and_uint8_give_the_same_skeleton_in_their_own_type():
     np.testing.assert_array_equal(as_bytes, as_bool * np.uint8(255))
 
 
-def test_out_receives_the_result_and_may_be_the_image():
-    image = random_image(3)
-    expected = thinbench.thin(image)
-    out = np.empty_like(image)
-    assert thinbench.thin(image, out=out) is out
-    np.testing.assert_array_equal(out, expected)
-    thinbench.thin(image, out=image)
-    np.testing.assert_array_equal(image, expected)
+SOLID, EMPTY, DIAGONAL = np.ones((7, 7), bool), np.zeros((7, 7), bool), np.eye(2, dtype=bool)
+OPEN = np.array([[0, 5, 5], [5, 0, 5], [5, 5, 5]])
+"""Its hole and the outside touch at a corner."""
+
+
+@pytest.mark.parametrize(("function", "image", "options", "count"), [
+    *((thinbench.thin, SOLID, {"rule": "erode", "border": border}, count)
+      for border, count in (("background", 25), ("keep", 49), ("foreground", 49))),
+    *((thinbench.thin, EMPTY, {"rule": "dilate", "border": border}, count)
+      for border, count in (("background", 0), ("keep", 0), ("foreground", 24))),
+    (thinbench.thin, SOLID, {"rule": "erode", "border": "background", "max_iterations": 2}, 9),
+    (thinbench.thin, SOLID, {"rule": "erode", "border": "background", "max_iterations": 9}, 0),
+    *((thinbench.midpoint_scan, image, {"directions": directions}, count) for image, directions, count in (
+        (np.ones((3, 5), bool), "rows", 3), (np.ones((3, 5), bool), ["columns"], 5),
+        (np.ones((3, 5), bool), ["rows", "columns"], 7), (SOLID, [], 0), (DIAGONAL, "diagonals", 1),
+        (DIAGONAL, "antidiagonals", 2), (DIAGONAL[::-1], "diagonals", 2), (DIAGONAL[::-1], "antidiagonals", 1))),
+    (thinbench.midpoint_scan, np.ones((4, 5), bool), {"directions": "rows", "border": "keep"}, 16),
+    *((function, OPEN != 0 if function == thinbench.fill_holes else OPEN, options, count)
+      for function in (thinbench.fill_holes, thinbench.fill_holes_of_labels) for options, count in (
+          ({}, 8), ({"connectivity": 4}, 7), ({"max_area": 0}, 7), ({"max_area": 1}, 8)))])
+def test_options_are_passed_on(function, image, options, count):
+    result = function(image, **options)
+    assert np.count_nonzero(result) == count and result.dtype == image.dtype
+    image = image.copy()
+    for out in (np.empty_like(image), image):  # the image may become the result
+        assert function(image, out=out, **options) is out
+        np.testing.assert_array_equal(out, result)
+
+
+@pytest.mark.parametrize("dtype", [bool, "i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8"])
+@pytest.mark.parametrize("function", [thinbench.thin_labels, thinbench.fill_holes_of_labels,
+                                      lambda skeletons: thinbench.prune_labels(skeletons, 3)])
+def test_label_arrays_of_any_integer_type(function, dtype):
+    labels = thinbench.label_image(random_image(7))[0] % 2
+    found = function(labels.astype(dtype))
+    assert found.dtype == dtype
+    np.testing.assert_array_equal(found, function(labels).astype(dtype))
 
 
 @pytest.mark.parametrize("rule", ["guo_hall", "majority", "mb2"])
@@ -82,17 +111,6 @@ def test_objects_are_the_regions_that_are_no_holes():
         np.testing.assert_array_equal(labels, thinbench.label_image(image)[0])
         for objects in (thinbench.find_objects(image), labelled):
             np.testing.assert_equal(objects, {name: column[~regions["is_hole"]] for name, column in regions.items()})
-
-
-@pytest.mark.parametrize(("function", "options"), [
-    (thinbench.fill_holes, {}), (thinbench.fill_holes, {"connectivity": 4, "max_area": 3}),
-    (thinbench.fill_holes_of_labels, {}), (thinbench.label_image, {}), (thinbench.label_image, {"connectivity": 4}),
-    (thinbench.find_regions, {}), (thinbench.label_regions, {}),
-    (thinbench.find_objects, {}), (thinbench.label_objects, {"connectivity": 4}), (thinbench.euler_number, {}),
-    (thinbench.euler_number, {"connectivity": 4})])
-def test_two_threads_find_what_one_finds(function, options):
-    image = np.random.RandomState(1).rand(1024, 1100) < 0.55  # 2**20 pixels, as smaller ones use one thread
-    np.testing.assert_equal(function(image, threads=2, **options), function(image, **options))
 
 
 BY_COLUMNS = """
