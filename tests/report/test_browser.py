@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
 import pytest
 from conftest import all_rows, write_run
-from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
 from report.page.build import build_page
+from tests.browser import Page, needs_chromium
 
-CHROMIUM = shutil.which("chromium")
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
+pytestmark = needs_chromium
 
 VISIBLE = ("Array.from(document.querySelectorAll('.is-chosen table.rows tbody tr'))"
            ".filter(row => !row.hidden)")
@@ -33,92 +27,54 @@ def _address(tmp_path_factory: pytest.TempPathFactory) -> str:
     return (directory / "index.html").resolve().as_uri()
 
 
-def make_driver(*arguments: str) -> webdriver.Chrome:
-    options = webdriver.ChromeOptions()
-    options.binary_location = str(CHROMIUM)
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--hide-scrollbars", *arguments):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(options=options)
+@pytest.fixture(scope="module", name="page")
+def _page() -> Iterator[Page]:
+    page = Page()
+    yield page
+    page.driver.quit()
 
 
-@pytest.fixture(scope="module", name="driver")
-def _driver() -> Iterator[webdriver.Chrome]:
-    driver = make_driver()
-    yield driver
-    driver.quit()
-
-
-@dataclass
-class Page:
-    """The page as a reader has it before him; errors are those of its console."""
-
-    driver: Any
-
-    def value(self, expression: str) -> Any:
-        """What the expression is worth."""
-        return self.driver.execute_script(f"return {expression}")
-
-    def becomes(self, condition: str) -> bool:
-        """Waits until the condition holds: the browser follows links and draws when it can."""
-        return bool(WebDriverWait(self.driver, 120).until(lambda _: self.value(condition)))
-
-    def errors(self) -> list[Any]:
-        """Since the latest call."""
-        return list(self.driver.get_log("browser"))
-
-    def click(self, selector: str) -> None:
-        """Where a pointer would."""
-        element = self.driver.find_element(By.CSS_SELECTOR, selector)
-        self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
-        element.click()
-
-
-def look(driver: Any, address: str, width: int = 1300, dark: bool = False) -> Page:
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-        "width": width, "height": 850, "deviceScaleFactor": 1, "mobile": width < 600})
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
-        {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
-    driver.get("about:blank")
-    driver.get(address)
-    return Page(driver)
+def click(page: Page, selector: str) -> None:
+    """Where a pointer would."""
+    element = page.driver.find_element(By.CSS_SELECTOR, selector)
+    page.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
+    element.click()
 
 
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("width", [375, 1300])
-def test_nothing_overflows_and_the_console_is_empty(driver, address, width, dark):
-    page = look(driver, address, width, dark)
+def test_nothing_overflows_and_the_console_is_empty(page, address, width, dark):
+    page.look(address, width, dark)
     page.value("document.querySelectorAll('details').forEach(one => { one.open = true })")
     assert page.value("innerWidth") == width
     assert page.value("document.documentElement.scrollWidth") <= width
     assert page.errors() == []
 
 
-def test_choosing_an_operation_changes_plot_and_table_and_the_address_keeps_it(driver, address):
-    page = look(driver, address)
+def test_choosing_an_operation_changes_plot_and_table_and_the_address_keeps_it(page, address):
+    page.look(address)
     before = page.value(f"{CHART}.data.datasets.map(one => one.data)")
-    assert page.becomes("document.querySelector('.is-chosen').id === 'thin_guo_hall'")
-    page.click(".list a[href='#edges_sobel']")
+    assert page.until("document.querySelector('.is-chosen').id === 'thin_guo_hall'")
+    click(page, ".list a[href='#edges_sobel']")
     assert page.value("document.querySelectorAll('.is-chosen').length") == 1
-    assert page.becomes("document.querySelector('.is-chosen').id === 'edges_sobel'")
+    assert page.until("document.querySelector('.is-chosen').id === 'edges_sobel'")
     assert page.value(f"{CHART}.data.datasets.map(one => one.data)") != before
     assert "opencv" in page.value(f"{VISIBLE}.map(row => row.dataset.technique)")
     assert page.driver.current_url.endswith("#edges_sobel")
     page.driver.refresh()
-    assert page.becomes("document.querySelector('.is-chosen').id === 'edges_sobel'")
+    assert page.until("document.querySelector('.is-chosen').id === 'edges_sobel'")
     assert page.errors() == []
 
 
-def test_hovering_shows_time_interval_and_speedup(driver, address):
-    page = look(driver, address + "#thin_guo_hall")
+def test_hovering_shows_time_interval_and_speedup(page, address):
+    page.look(address + "#thin_guo_hall")
     canvas = page.driver.find_element(By.CSS_SELECTOR, ".is-chosen canvas")
     page.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
     x, y = page.value(f"(chart => {{ const index = chart.data.datasets.findIndex(one => one.label"
                       f" === 'SIMD on packed bits'); const point = chart.getDatasetMeta(index).data[0];"
                       f" return [point.x - chart.width / 2, point.y - chart.height / 2] }})({CHART})")
     ActionChains(page.driver).move_to_element_with_offset(canvas, round(x), round(y)).perform()
-    assert page.becomes(f"{CHART}.tooltip.opacity > 0")
+    assert page.until(f"{CHART}.tooltip.opacity > 0")
     tooltip = page.value(f"[{CHART}.tooltip.opacity, {CHART}.tooltip.title.join(),"
                          f" {CHART}.tooltip.body[0].lines.join('; ')]")
     assert tooltip[1] == "simd_bitpacked · avx512"
@@ -127,9 +83,9 @@ def test_hovering_shows_time_interval_and_speedup(driver, address):
 
 @pytest.mark.parametrize(("key", "value"), [("isa", "avx2"), ("threads", "2"), ("scope", "kernel"),
                                             ("options", "border kept")])
-def test_a_switch_changes_table_and_plot_alike(driver, address, key, value):
-    page = look(driver, address + "#thin_guo_hall")
-    page.click(f"label[for='thin_guo_hall-{key}-{value.replace(' ', '-')}']")
+def test_a_switch_changes_table_and_plot_alike(page, address, key, value):
+    page.look(address + "#thin_guo_hall")
+    click(page, f"label[for='thin_guo_hall-{key}-{value.replace(' ', '-')}']")
     rows = page.value(f"{VISIBLE}.map(row => ({{...row.dataset}}))")
     points = page.value(f"{CHART}.data.datasets.flatMap(one => one.data).length")
     assert rows and points == len(rows)
@@ -137,8 +93,8 @@ def test_a_switch_changes_table_and_plot_alike(driver, address, key, value):
                if row["isa"] != "native" and row["technique"] != "reference")
 
 
-def test_a_table_is_searched_sorted_and_copied(driver, address):
-    page = look(driver, address + "#thin_guo_hall")
+def test_a_table_is_searched_sorted_and_copied(page, address):
+    page.look(address + "#thin_guo_hall")
     page.driver.find_element(By.CSS_SELECTOR, ".is-chosen input[type=search]").send_keys("SIMD avx")
     techniques = page.value(f"{VISIBLE}.map(row => row.dataset.technique)")
     assert set(techniques) == {"simd_bitpacked"} and len(techniques) == 2
@@ -149,53 +105,43 @@ def test_a_table_is_searched_sorted_and_copied(driver, address):
         times = page.value(f"{VISIBLE}.map(row => Number(row.dataset.ns))")
         assert times == sorted(times)[::order]
     page.driver.execute_script("navigator.clipboard.writeText = text => { window.copied = text }")
-    page.click(".is-chosen .copy")
-    assert page.becomes("window.copied")
+    click(page, ".is-chosen .copy")
+    assert page.until("window.copied")
     lines = page.value("window.copied").splitlines()
     assert lines[0].startswith("Technique,ISA,") and len(lines) == 3
 
 
-def test_switches_and_operations_are_reached_by_keyboard(driver, address):
-    page = look(driver, address + "#thin_guo_hall")
+def test_switches_and_operations_are_reached_by_keyboard(page, address):
+    page.look(address + "#thin_guo_hall")
     page.driver.find_element(By.ID, "thin_guo_hall-scope-end-to-end").send_keys(Keys.ARROW_RIGHT)
     assert page.value(f"{VISIBLE}.every(row => row.dataset.scope === 'kernel')")
     page.driver.find_element(By.CSS_SELECTOR, ".list a[href='#holes']").send_keys(Keys.ENTER)
-    assert page.becomes("document.querySelector('.is-chosen').id === 'holes'")
+    assert page.until("document.querySelector('.is-chosen').id === 'holes'")
 
 
-def test_a_link_to_a_folded_part_opens_it_and_its_plots_are_drawn(driver, address):
-    page = look(driver, address)
-    page.click("header a[href='#sweeps']")
-    assert page.becomes("document.getElementById('sweeps').open")
-    assert page.becomes("Chart.getChart(document.querySelector('#sweeps canvas'))?.data.datasets.length > 0")
+def test_a_link_to_a_folded_part_opens_it_and_its_plots_are_drawn(page, address):
+    page.look(address)
+    click(page, "header a[href='#sweeps']")
+    assert page.until("document.getElementById('sweeps').open")
+    assert page.until("Chart.getChart(document.querySelector('#sweeps canvas'))?.data.datasets.length > 0")
 
 
 def test_without_scripts_all_tables_stand_there_and_no_dead_control_does(address):
-    driver = make_driver("--blink-settings=scriptEnabled=false")
+    page = Page("--blink-settings=scriptEnabled=false")
     try:
-        driver.get(address)
-        shown = [one.is_displayed() for one in driver.find_elements(By.CSS_SELECTOR, "table.rows")]
+        page.driver.get(address)
+        shown = [one.is_displayed() for one in page.driver.find_elements(By.CSS_SELECTOR, "table.rows")]
         assert len(shown) == 4 and all(shown)
-        assert not any(one.is_displayed() for one in driver.find_elements(
+        assert not any(one.is_displayed() for one in page.driver.find_elements(
             By.CSS_SELECTOR, "button, input, canvas"))
     finally:
-        driver.quit()
-
-
-def luminance(colour: str) -> float:
-    parts = [int(part) / 255 for part in colour[colour.index("(") + 1:-1].split(",")[:3]]
-    red, green, blue = (p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts)
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+        page.driver.quit()
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_text_has_a_contrast_of_at_least_4_5(driver, address, dark):
-    page = look(driver, address, dark=dark)
+def test_text_has_a_contrast_of_at_least_4_5(page, address, dark):
+    page.look(address, dark=dark)
     for words, ground in (("ink", "card"), ("ink", "page"), ("muted", "card"), ("muted", "page"),
                           ("accent", "card"), ("accent", "soft"), ("ink", "soft"),
                           ("warn", "warn-soft"), ("good", "card"), ("bad", "card")):
-        page.driver.execute_script(f"document.body.style.color = 'var(--{words})';"
-                                   f"document.body.style.backgroundColor = 'var(--{ground})'")
-        levels = sorted(luminance(page.value(f"getComputedStyle(document.body).{key}"))
-                        for key in ("color", "backgroundColor"))
-        assert (levels[1] + 0.05) / (levels[0] + 0.05) >= 4.5, (words, ground)
+        assert page.contrast(words, ground) >= 4.5, (words, ground)

@@ -91,11 +91,6 @@ def test_page_markdown_and_terminal_have_the_figures_of_timings_csv(built):
         assert all(figure in text for figure in figures)
 
 
-def test_a_ratio_to_a_peer_is_given_only_where_outputs_are_equal(built):
-    lines = Rows(load_run(built.directory)).headlines()
-    assert {line.case for line in lines if line.peer} == {"thin_guo_hall:keep", "edges_sobel"}
-
-
 def test_useful_rules_come_before_the_printed_one(built):
     cases = [line.case for line in Rows(load_run(built.directory)).headlines()]
     assert cases.index("thin_guo_hall") < cases.index("thin_naccache_shinghal")

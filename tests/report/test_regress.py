@@ -95,32 +95,26 @@ def test_only_open_rows_are_measured_again_and_what_failed_is_judged_alone(
     assert calls == asked
 
 
-def test_a_slowdown_in_the_same_state_fails() -> None:
-    assert verdict_on(measured(), measured()).verdict == PASS
-    row = verdict_on(measured(), measured(1.2))
-    assert row.verdict == FAIL
-    assert row.before and row.now and row.now.row == pytest.approx(1.2 * row.before.row, rel=0.02)
-    assert row.now.reference == pytest.approx(row.before.reference, rel=0.02)
+OTHER_STATE = "another state of the machine: the reference took"
 
 
-def test_times_at_another_clock_are_compared_in_clock_cycles() -> None:
-    assert verdict_on(measured(), measured(noise=Noise(clock=2))).verdict == PASS
-    row = verdict_on(measured(), measured(1.2, noise=Noise(clock=2)))
-    assert row.verdict == FAIL and not row.reason
+@pytest.mark.parametrize(("slower", "options", "verdict", "reason"), [
+    (1.0, {}, PASS, ""), (1.2, {}, FAIL, ""),
+    (1.0, {"noise": Noise(clock=2)}, PASS, ""), (1.2, {"noise": Noise(clock=2)}, FAIL, ""),  # compared in clock cycles
+    (1.5, {"reference": 0.8}, INCONCLUSIVE, OTHER_STATE), (1.3, {"reference": 1.3}, PASS, ""),
+    (1.5, {"noise": Noise(same=1.05)}, INCONCLUSIVE, "the controls of its group failed")])
+def test_only_a_slowdown_in_the_same_state_fails(slower: float, options: dict[str, Any], verdict: Verdict,
+                                                 reason: str) -> None:
+    row = verdict_on(measured(), measured(slower, **options))
+    assert row.verdict == verdict and row.reason.startswith(reason) and bool(row.reason) == bool(reason)
+    if not options:
+        assert row.before and row.now and row.now.row == pytest.approx(slower * row.before.row, rel=0.02)
+        assert row.now.reference == pytest.approx(row.before.reference, rel=0.02)
 
 
-def test_images_beyond_the_cache_may_lose_twice_as_much() -> None:
-    assert verdict_on(measured(), measured(1.15), 10).verdict == PASS
-    assert verdict_on(measured(), measured(1.3), 10).verdict == FAIL
-
-
-def test_a_slower_row_on_another_machine_is_inconclusive_and_an_equal_one_passes() -> None:
-    slow = verdict_on(measured(), measured(1.5, reference=0.8))
-    assert slow.verdict == INCONCLUSIVE
-    assert slow.reason.startswith("another state of the machine: the reference took")
-    assert verdict_on(measured(), measured(1.3, reference=1.3)).verdict == PASS
-    failed = verdict_on(measured(), measured(1.5, noise=Noise(same=1.05)))
-    assert failed.verdict == INCONCLUSIVE and failed.reason == "the controls of its group failed"
+@pytest.mark.parametrize(("slower", "verdict"), [(1.15, PASS), (1.3, FAIL)])
+def test_images_beyond_the_cache_may_lose_twice_as_much(slower: float, verdict: Verdict) -> None:
+    assert verdict_on(measured(), measured(slower), 10).verdict == verdict
 
 
 def test_one_reference_that_moved_neither_slows_its_rows_nor_lets_them_fail() -> None:

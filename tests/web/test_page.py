@@ -6,7 +6,6 @@ import gzip
 import io
 import os
 import re
-import shutil
 import struct
 import time
 import zlib
@@ -18,48 +17,31 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from PIL import Image
-from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
 import thinbench
+from tests import browser
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = Path(os.environ.get("THINBENCH_PAGE", ROOT / "build" / "web" / "index.html"))
-pytestmark = pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
+pytestmark = browser.needs_chromium
 SCENE = ROOT / "results" / "pictures" / "scene.jpg"
 
 
-class Page:
-    """The page as a reader has it before him."""
+class Page(browser.Page):
+    """Its settings, and what it saves."""
 
-    def __init__(self, directory: Path, width: int = 1300) -> None:
-        options = webdriver.ChromeOptions()
-        options.binary_location = str(shutil.which("chromium"))
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    def __init__(self, directory: Path) -> None:
+        super().__init__()
         self.directory = directory
-        self.driver: Any = webdriver.Chrome(options=options)
         self.driver.execute_cdp_cmd("Browser.setDownloadBehavior",
                                     {"behavior": "allow", "downloadPath": str(directory)})
-        self.open(width)
 
     def open(self, width: int = 1300, dark: bool = False) -> None:
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": 850, "deviceScaleFactor": 1, "mobile": width < 600})
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
-            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
-        self.driver.get(PAGE.as_uri())
+        self.look(PAGE.as_uri(), width, dark)
         self.until("document.getElementById('rule').value")
-
-    def value(self, expression: str) -> Any:
-        return self.driver.execute_script(f"return {expression}")
-
-    def until(self, condition: str) -> Any:
-        return WebDriverWait(self.driver, 120, poll_frequency=0.05).until(lambda _: self.value(condition))
 
     def find(self, name: str) -> Any:
         return self.driver.find_element(By.ID, name)
@@ -110,9 +92,6 @@ class Page:
 
     def table(self) -> list[list[str]]:
         return [line.split(",") for line in self.save("csv").decode().splitlines()]
-
-    def errors(self) -> list[Any]:
-        return list(self.driver.get_log("browser"))
 
 
 @pytest.fixture(scope="module", name="page")
@@ -416,19 +395,7 @@ def test_nothing_overflows_whatever_is_done(page, files, width, dark):
         page.value("document.querySelector('details').open = true")
         assert page.value("innerWidth") == width
         assert page.value("document.documentElement.scrollWidth") <= width
-    colours = page.value("['--ink', '--muted', '--accent', '--warn', '--bad'].map(name =>"
-                         " getComputedStyle(document.body).getPropertyValue(name))")
-    ground = page.value("getComputedStyle(document.body).getPropertyValue('--page')")
-    assert all(contrast(colour, ground) >= 4.5 for colour in colours)
-
-
-def contrast(first: str, second: str) -> float:
-    def luminance(colour: str) -> float:
-        parts = [int(colour.strip()[i:i + 2], 16) / 255 for i in (1, 3, 5)]
-        red, green, blue = (p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts)
-        return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-    low, high = sorted([luminance(first), luminance(second)])
-    return (high + 0.05) / (low + 0.05)
+    assert all(page.contrast(words, "page") >= 4.5 for words in ("ink", "muted", "accent", "warn", "bad"))
 
 
 def test_the_page_lives_while_it_computes_and_the_latest_settings_win(page, tmp_path):

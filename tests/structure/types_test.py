@@ -1,4 +1,4 @@
-"""mypy finds nothing in the package, and its annotations serve a typed caller."""
+"""mypy finds nothing in the packages, and the annotations of thinbench serve a typed caller."""
 
 from __future__ import annotations
 
@@ -37,8 +37,9 @@ def mypy(*arguments: object) -> str:
     return run.stdout + run.stderr
 
 
-def test_package_is_typed():
-    assert mypy("python/thinbench") == ""
+@pytest.mark.parametrize("words", [["python/thinbench"], ["--ignore-missing-imports", "report"]])
+def test_packages_are_typed(words):
+    assert mypy(*words) == ""
 
 
 def test_annotations_serve_a_typed_caller_and_the_example(tmp_path):
