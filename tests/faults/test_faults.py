@@ -18,7 +18,6 @@ from pathlib import Path
 
 import pytest
 from conftest import NO_FAULT, READERS, ROOT, SHIM, Fault, Files, Result, files_in, finish, limit, mounted, run, start
-from PIL import Image
 
 ROWS = "^euler_number/bitpacked/baseline/1"
 COMMANDS = {

@@ -10,7 +10,6 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import READERS, Fault, files_in, measured_run, parts, run
 from PIL import Image, TiffImagePlugin

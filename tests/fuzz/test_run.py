@@ -1,4 +1,4 @@
-"""./check fuzz: what it says about targets, here of shell scripts in their place, and about its arguments."""
+"""./check fuzz: what it says about targets, here of shell scripts in their place."""
 
 from __future__ import annotations
 
@@ -43,28 +43,10 @@ def test_nothing_found_is_status_0_with_executions_and_coverage(
     assert total == "1 target, 500 executions, 0 failed"
 
 
-def test_a_finding_is_status_1_and_the_path_of_the_input(
+def test_a_finding_is_status_1_and_the_path_of_the_input_which_is_tried_again_first(
         targets: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run.main(["--seconds", "1"]) == 1
     assert f"  {targets}/found/finds/crash-1\n" in capsys.readouterr().out
-
-
-def test_what_was_found_is_tried_again_first(targets: Path) -> None:
-    assert run.main(["--seconds", "1", "finds"]) == 1
     (targets / "bin" / "fuzz_finds").write_text(QUIET)
     assert run.main(["--seconds", "1", "finds"]) == 0
     assert (targets / "corpus" / "finds" / "crash-1").read_text() == "bad\n"
-
-
-@pytest.mark.parametrize("words, said", [
-    (["--seconds", "0"], "--seconds: expected a number above 0, got '0'"),
-    (["--hours", "many"], "--hours: expected a number above 0, got 'many'"),
-    (["--jobs", "0"], "--jobs: expected 1 or more, got 0"),
-    (["loud"], "no target is named 'loud'; known: finds, quiet")])
-def test_wrong_arguments_are_one_line_and_status_2(
-        targets: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert targets.exists()
-    with pytest.raises(SystemExit) as ended:
-        run.main(words)
-    assert ended.value.code == 2
-    assert capsys.readouterr().err.splitlines()[-1].endswith(said)

@@ -7,12 +7,10 @@ from pathlib import Path
 
 import pytest
 
-import run
-from choice import (Candidate, Equivalents, Result, candidates, read_equivalents,
-                    stale, to_try)
+from choice import Candidate, Equivalents, Result, candidates, read_equivalents, stale, to_try
 from families import FAMILIES, Family
 from operators import Mutation, mutations
-from run import EQUIVALENTS, KERNELS, main, report
+from run import EQUIVALENTS, KERNELS, report
 from trial import Build, Trial
 
 RULES = candidates(FAMILIES[0], KERNELS, 1)
@@ -43,34 +41,6 @@ def changes(line: str) -> set[tuple[str, str]]:
 ])
 def test_an_operator_changes_one_place(line: str, operator: str, mutant: str) -> None:
     assert (operator, mutant) in changes(line)
-
-
-@pytest.mark.parametrize("line", [
-    "// n.n1 & 1", "Thinner::~Thinner() = default;", "virtual ~State() = default;", "#if 1 < 2",
-    'throw Error("1 < 2");', "template <int sub>", "static_assert(1 < 2);",
-    "/* 1 < 2 */", "const auto text = \"a & b\";", "__builtin_prefetch(from + 64);"])
-def test_what_decides_no_pixel_is_left_alone(line: str) -> None:
-    assert not mutations(line)
-
-
-def test_the_rest_of_a_text_remains() -> None:
-    text = "int f(int a) {\n  return a + 1;  // b + 1\n}\n"
-    assert {one.apply(text) for one in mutations(text)} == {text.replace("a + 1", "a"), text.replace("a + 1", "a + 2"),
-                                                            text.replace("a + 1", "a - 1")}
-
-
-def test_the_choice_depends_on_the_seed_alone_and_rotates_operators() -> None:
-    assert RULES == candidates(FAMILIES[0], KERNELS, 1) != candidates(FAMILIES[0], KERNELS, 2)
-    operators = {one.mutation.operator for one in RULES}
-    assert {one.mutation.operator for one in RULES[:len(operators)]} == operators
-
-
-def test_mutants_are_tried_until_enough_count() -> None:
-    results: dict[str, Result] = {}
-    states = ["same code", "killed", "not compiled", "survived", "killed", "killed"]
-    for one in to_try([RULES], 3, results, {}):
-        results[one.key] = Result(states[len(results)])
-    assert set(results) == {one.key for one in RULES[:5]}
 
 
 def listed(one: Candidate) -> Equivalents:
@@ -157,28 +127,6 @@ def test_a_mutant_is_judged_by_its_code_and_its_tests(
     assert (trial.kernels / "toy.cpp").read_text(encoding="utf-8") == TOY
 
 
-class FakeTrial:
-    """Tests notice every mutant of a run, until the user interrupts it."""
-
-    def __init__(self, count: int) -> None:
-        self.left = count
-
-    def result(self, one: Candidate, _: bool) -> Result:
-        self.left -= 1
-        if self.left < 0:
-            raise KeyboardInterrupt
-        return Result("killed", f"test of {one.family.name}", 1.25)
-
-
-def test_an_interrupted_run_goes_on(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(run, "read_equivalents", lambda _: {})
-    for count, killed in ((5, 5), (2, 7), (9, 8)):
-        monkeypatch.setattr(run, "prepare", lambda *_, count=count: FakeTrial(count))
-        assert main(["--family", "path", "-n", "8", "--directory", str(tmp_path)]) == 0
-        assert f"killed: {killed} of {killed}, 100.0 %" in capsys.readouterr().out
-
-
 def test_survivors_that_nothing_explains_lower_the_share(capsys: pytest.CaptureFixture[str]) -> None:
     explained, other, killed = RULES[:3]
     tried = [(explained, Result("survived")), (other, Result("survived")),
@@ -187,9 +135,3 @@ def test_survivors_that_nothing_explains_lower_the_share(capsys: pytest.CaptureF
     assert "killed: 49 of 50, 98.0 %" in capsys.readouterr().out
     assert report(tried[:-1], listed(explained)) == 1
     assert f"survived: {other}" in capsys.readouterr().out
-
-
-def test_wrong_options_are_rejected() -> None:
-    with pytest.raises(SystemExit) as error:
-        main(["--number", "-1"])
-    assert error.value.code == 2

@@ -14,7 +14,7 @@ from urllib.parse import unquote
 import numpy as np
 import pytest
 from PIL import Image
-from conftest import Built, all_rows, build, make_facts, make_rows, write_run
+from conftest import all_rows, build, make_facts, make_rows
 
 from report.errors import ReportError
 from report.formatting import duration, times

@@ -40,7 +40,11 @@ def said(directory: Path, *words: str, **environment: str) -> tuple[int, str]:
     ("check --no-install fuzz --help", 0, "usage: ./check fuzz"),
     ("check --no-install coverage --help", 0, "usage: ./check coverage"),
     ("check --no-install mutants --help", 0, "usage: python3 tests/mutation/run.py"),
-    ("check --no-install fuzz --seconds long", 2, "--seconds: expected a number above 0, got 'long'"),
+    *((f"check --no-install fuzz {option} {value}", 2, f"{option}: expected {what}, got '{value}'") for option, value, what in (
+        ("--seconds", "long", "a number above 0"), ("--hours", "0", "a number above 0"))),
+    ("check --no-install fuzz --jobs 0", 2, "--jobs: expected 1 or more, got 0"),
+    ("check --no-install fuzz loud", 2, "no target is named 'loud'; known: "),
+    ("check --no-install mutants -n -1", 2, "--number: expected an integer of at least 0, got '-1'"),
     ("check soak --help", 0, "soak has --seconds N, --threads N, --seed N"),
     ("check asan tsan", 2, "check: expected one thing to check, got 'asan' and 'tsan'"),
     ("check fast", 2, "check: 'fast' is neither an option nor something to check; see ./check --help")])
