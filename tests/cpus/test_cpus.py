@@ -4,15 +4,14 @@ directory of the programs."""
 from __future__ import annotations
 
 import json
-import os
 import re
 import subprocess
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-PROGRAM = Path(os.environ["THINBENCH_PROGRAMS"]) / "thinbench-study"
+from tests.programs import PROGRAMS
+
 CPUS: dict[str, tuple[set[str], dict[str, str]]] = {
     "Conroe": ({"baseline"}, {"sse4.2": "sse4.2, popcnt", "avx2": "sse4.2, popcnt, avx2, bmi, bmi2"}),
     "Nehalem": ({"baseline", "sse4.2"}, {"avx2": "avx2, bmi, bmi2"}),
@@ -26,7 +25,7 @@ QUICK = "^(thin_guo_hall|thin_mb2|edges_sobel|euler_number|skeleton_scan|net_two
 
 
 def emulated(cpu: str, *arguments: str) -> str:
-    done = subprocess.run(["qemu-x86_64", "-cpu", cpu, str(PROGRAM), *arguments], capture_output=True, text=True,
+    done = subprocess.run(["qemu-x86_64", "-cpu", cpu, str(PROGRAMS / "thinbench-study"), *arguments], capture_output=True, text=True,
                           check=False)
     assert done.returncode == 0, f"{cpu}: status {done.returncode}: {done.stderr[-2000:]}"
     return done.stdout

@@ -3,19 +3,19 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 from pathlib import Path
 
 import pytest
 
-PROGRAM = Path(os.environ["THINBENCH_PROGRAMS"], "thinbench-study")
-RECORDED = Path(__file__).resolve().parents[2] / "results" / "experiments"
+from tests.programs import PROGRAMS, ROOT
+
+RECORDED = ROOT / "results" / "experiments"
 
 
 @pytest.mark.parametrize("name", ["cluster-runs", "edge-quality", "hidden-neurons", "literal-holes", "operation-counts",
                                   "quality", "quantisation"])
 def test_experiment_equals_the_recorded_one(name: str, tmp_path: Path) -> None:
     out = tmp_path / "out.json"
-    subprocess.run([PROGRAM, "experiment", name, "--out", out], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([PROGRAMS / "thinbench-study", "experiment", name, "--out", out], check=True, stdout=subprocess.DEVNULL)
     assert out.read_bytes() == (RECORDED / f"{name}.json").read_bytes()

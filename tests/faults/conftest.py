@@ -1,6 +1,6 @@
 """Starts the built programs, with and without a fault, and compares what they leave behind.
 
-THINBENCH_PROGRAMS is their directory, THINBENCH_FAULT_SHIM the library made of shim.c."""
+THINBENCH_FAULT_SHIM is the library made of shim.c."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from pathlib import Path
 import pytest
 from PIL import Image, ImageDraw
 
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
+from tests.programs import PROGRAMS, ROOT
+
 SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/faults/libfault_shim.so"))
 SEED = int(os.environ.get("THINBENCH_IMAGES_SEED") or random.SystemRandom().randrange(2**32))
 """Of images that differ from run to run."""

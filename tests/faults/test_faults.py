@@ -266,14 +266,6 @@ def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path
 
 # Outputs of which other names remain.
 
-def test_full_disk_keeps_an_output_of_two_names(inputs: Path, tmp_path: Path) -> None:
-    """There is room for the finished file, but not for a second one of its size."""
-    disk = ('mount -t tmpfs -o size=2500k none "$PWD" && cd "$PWD" && echo old >out.pgm && ln out.pgm other && '
-            '"$@" >/dev/null; status=$?; ls -A; cat other; exit $status')
-    result = run(words_of("run_pgm", inputs), tmp_path, Fault("", prefix=mounted(disk)))
-    result.assert_failed("No space left on device")
-    assert result.out == b"other\nout.pgm\nold\n", result
-
 
 def test_interrupt_keeps_a_whole_file(inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
     """Beside an output of two names that is half-written."""
@@ -426,14 +418,6 @@ def wait_until(happened: Callable[[], bool]) -> None:
     raise TimeoutError
 
 
-def test_truncated_facts(tmp_path: Path) -> None:
-    """Of thinbench_benchmarks."""
-    (tmp_path / "facts").write_text('{"rows": {')
-    result = run(["thinbench_benchmarks", "--known", "facts"], tmp_path)
-    result.assert_failed("facts: holds no facts")
-    assert result.out == b""
-
-
 # The study, on a run that was measured before.
 
 STUDY = [str(ROOT / "study"), "--no-install"]
@@ -459,12 +443,3 @@ def test_study(fault: Fault, says: str, measured: Path, tmp_path: Path) -> None:
     if fault.name == "file size limit":  # takes seconds
         assert run([*STUDY, "build", "run"], tmp_path).status == 0
         assert (measured / "index.html").stat().st_size > 10_000
-
-
-def test_study_of_a_truncated_run(measured: Path, tmp_path: Path) -> None:
-    """As a copy over a broken line leaves it."""
-    facts = measured / "run.json"
-    facts.write_bytes(facts.read_bytes()[:1000])
-    before = files_in(tmp_path)
-    run([*STUDY, "build", "run"], tmp_path).assert_failed("run.json")
-    assert files_in(tmp_path) == before

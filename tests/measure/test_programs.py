@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import subprocess
 from collections import Counter
 from pathlib import Path
@@ -12,7 +11,8 @@ from typing import Any
 
 import pytest
 
-PROGRAMS = Path(os.environ["THINBENCH_PROGRAMS"])
+from tests.programs import PROGRAMS
+
 NAME = "edges_sobel/autovec/baseline/1/end_to_end/square_64"
 REFERENCE = "edges_sobel/reference/baseline/1/end_to_end/square_64"
 ROW = ("--input", "square_64", "--no-peers", "--filter", f"^{NAME}$")
@@ -112,9 +112,10 @@ def test_a_wrong_result_is_an_error_and_other_rows_are_measured(facts: Path, tmp
         assert {line["row"] for line in csv.DictReader(stream)} == {REFERENCE}
 
 
-def test_facts_that_are_none_are_named(tmp_path: Path) -> None:
+@pytest.mark.parametrize("text", ["{}", '{"rows": {'])
+def test_facts_that_are_none_are_named(tmp_path: Path, text: str) -> None:
     path = tmp_path / "facts.json"
-    path.write_text("{}", encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
     done = benchmarks("--known", path)
     assert done.returncode == 1 and done.stderr.count("\n") == 1 and "facts.json: holds no facts" in done.stderr
 

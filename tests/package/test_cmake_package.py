@@ -52,35 +52,21 @@ def test_find_package_rejects_another_minor_version(prefix, tmp_path):
     assert "found: 0" in text
 
 
-def library_flags(prefix: Path, *options: str) -> tuple[list[str], str]:
+def library_flags(prefix: Path, static: bool = False) -> tuple[list[str], str]:
     """Flags of the installed library, by pkg-config, and its directory."""
     (directory,) = prefix.rglob("pkgconfig")
-    flags = run("pkg-config", *options, "--cflags", "--libs", "thinbench", PKG_CONFIG_PATH=str(directory))
-    return flags.split(), str(directory.parent)
-
-
-def test_pkg_config(prefix, tmp_path):
-    write_example(tmp_path, "")
-    flags, directory = library_flags(prefix)
-    run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
-    assert run(tmp_path / "example", LD_LIBRARY_PATH=directory).strip() == OUTPUT
-
-
-def test_pkg_config_static(prefix, tmp_path):
-    write_example(tmp_path, "")
-    flags, _ = library_flags(prefix, "--static")
-    flags[flags.index("-lthinbench")] = "-l:libthinbench.a"
-    run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
-    assert run(tmp_path / "example").strip() == OUTPUT
+    flags = run("pkg-config", *["--static"] * static, "--cflags", "--libs", "thinbench", PKG_CONFIG_PATH=str(directory))
+    return flags.replace("-lthinbench", "-l:libthinbench.a" if static else "-lthinbench").split(), str(directory.parent)
 
 
 @pytest.mark.parametrize("static", [False, True])
-def test_programs_with_debug_containers_do_not_link(prefix, tmp_path, static):
+def test_pkg_config(prefix, tmp_path, static):
     write_example(tmp_path, "")
-    flags, _ = library_flags(prefix, *["--static"] * static)
-    if static:
-        flags[flags.index("-lthinbench")] = "-l:libthinbench.a"
-    done = subprocess.run(["g++", "-std=c++20", "-D_GLIBCXX_DEBUG", "example.cpp", "-o", "example", *flags],
+    flags, directory = library_flags(prefix, static)
+    run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
+    variables = {} if static else {"LD_LIBRARY_PATH": directory}
+    assert run(tmp_path / "example", **variables).strip() == OUTPUT
+    done = subprocess.run(["g++", "-std=c++20", "-D_GLIBCXX_DEBUG", "example.cpp", "-o", "debug", *flags],
                           cwd=tmp_path, text=True, capture_output=True, check=False)
     assert done.returncode != 0
     assert "undefined reference to `thinbench::detail::kLibraryHasDebugContainers'" in done.stderr

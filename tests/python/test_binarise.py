@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import thinbench
-from program import assert_rejected, run_text as run
+from tests.programs import assert_rejected, run_text as run
 
 cv2 = pytest.importorskip("cv2")
 IDENTITY = "B/S012345678"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import thinbench
-from program import ROOT, assert_rejected, run_text
+from tests.programs import ROOT, assert_rejected, run_text
 
 sys.path.insert(0, str(ROOT / "python" / "examples"))
 pytest.importorskip("matplotlib")

@@ -14,7 +14,7 @@ import pytest
 
 import thinbench
 from images import random_image
-from program import assert_rejected, run
+from tests.programs import assert_rejected, run
 
 cv2 = pytest.importorskip("cv2")
 pil = pytest.importorskip("PIL.Image")

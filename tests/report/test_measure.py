@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import make_samples
+from conftest import ROOT, make_samples
 from fake_programs import MACHINE, PROBE, TIMES, Noise, install, make_facts
 
 from report.errors import ReportError
@@ -21,7 +21,6 @@ from report.measure.measurement import UNFINISHED, Measurement, Part
 from report.measure.run import controls_of, load_run, write_run
 from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 
-ROOT = Path(__file__).resolve().parents[2]
 FACTS = make_facts(("scene", "square_64"))
 ROW = "thin_guo_hall/bitpacked/baseline/1/end_to_end/scene"
 

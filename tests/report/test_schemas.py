@@ -1,10 +1,8 @@
-"""JSON documents of the programs, checked by their schemas. Programs are those of the environment's
-THINBENCH_PROGRAMS, or of the release build."""
+"""JSON documents of the programs, checked by their schemas."""
 
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 from pathlib import Path
 
@@ -14,9 +12,7 @@ from fake_programs import MACHINE
 
 from report.errors import ReportError
 from report.schemas import DIRECTORY, check_schema
-
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
+from tests.programs import PROGRAMS, ROOT
 
 
 @pytest.mark.parametrize("path", sorted(DIRECTORY.glob("*.json")), ids=lambda path: path.stem)

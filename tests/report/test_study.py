@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import argparse
-import os
 import re
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, main, without_progress
+from conftest import main, without_progress
 from PIL import Image
 
 import report.study
 from report.measure.run import load_run
+from tests.programs import PROGRAMS
 
-PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 Study = Callable[..., tuple[int, str]]
 
 

@@ -1,4 +1,4 @@
-"""Runs the programs that were built."""
+"""Runs the programs that were built: those of the directory THINBENCH_PROGRAMS, or of the release build."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 import subprocess
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[1]
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build/release/bin"))
 
 
