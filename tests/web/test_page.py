@@ -9,7 +9,7 @@ import re
 import struct
 import time
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -149,47 +149,40 @@ def is_set(picture: Any) -> Any:
     return picture[..., 0] > 0
 
 
-@pytest.mark.parametrize("name", PICTURES)
-def test_skeletons_are_those_of_the_native_library(page, files, name):
+def thinned(**options: Any) -> Callable[[Any], Any]:
+    return lambda pixels: thinbench.thin(thinbench.binarise(pixels, **options))
+
+
+@pytest.mark.parametrize(("name", "settings", "expected"), [
+    *((name, {}, thinned()) for name in PICTURES),
+    ("scene.jpg", {"prune": 12}, lambda pixels: thinbench.prune(thinned()(pixels), 12)),
+    *(("colours", settings, thinned(**options)) for settings, options in (
+        ({"foreground": "dark"}, {"foreground": "dark"}), ({"foreground": "bright"}, {"foreground": "bright"}),
+        ({"method": "level", "level": 60}, {"threshold": 60}),
+        ({"method": "local", "offset": 4}, {"threshold": "local", "offset": 4}),
+        *(({"channel": name}, {"channel": name}) for name in ("red", "blue", "saturation", "value", "auto"))))])
+def test_skeletons_are_those_of_the_native_library(page, files, name, settings, expected):
     page.open()
     page.choose(files[name])
-    page.settle()
-    expected = thinbench.thin(thinbench.binarise(pixels_of(files[name])))
-    assert np.array_equal(is_set(page.png()), expected)
-    rows = page.table()
-    assert rows[0][-2:] == ["x", "y"] and len(rows) == 1 + expected.sum()
-
-
-def test_every_rule_gives_the_pixels_of_the_native_library(page, files):
-    page.open()
-    page.choose(files["discs"])
-    binary = thinbench.binarise(pixels_of(files["discs"]))
-    rules = page.value("[...document.getElementById('rule').options].map(one => one.value)")
-    assert len(rules) > 20
-    for rule in rules:
-        page.set(rule=rule)
-        assert np.array_equal(is_set(page.png()), thinbench.thin(binary, rule)), rule
-
-
-def test_short_branches_go_as_in_the_native_library(page, files):
-    page.open()
-    page.choose(files["scene.jpg"])
-    page.set(prune=12)
-    skeleton = thinbench.thin(thinbench.binarise(pixels_of(SCENE)))
-    assert np.array_equal(is_set(page.png()), thinbench.prune(skeleton, 12))
-
-
-@pytest.mark.parametrize(("settings", "options"), [
-    ({"foreground": "dark"}, {"foreground": "dark"}), ({"foreground": "bright"}, {"foreground": "bright"}),
-    ({"method": "level", "level": 60}, {"threshold": 60}),
-    ({"method": "local", "offset": 4}, {"threshold": "local", "offset": 4}),
-    *(({"channel": name}, {"channel": name}) for name in ("red", "blue", "saturation", "value", "auto"))])
-def test_foreground_is_that_of_the_native_library(page, files, settings, options):
-    page.open()
-    page.choose(files["colours"])
     page.set(**settings)
-    expected = thinbench.thin(thinbench.binarise(pixels_of(files["colours"]), **options))
-    assert np.array_equal(is_set(page.png()), expected)
+    skeleton = expected(pixels_of(files[name]))
+    assert np.array_equal(is_set(page.png()), skeleton)
+    rows = page.table()
+    assert rows[0][-2:] == ["x", "y"] and len(rows) == 1 + skeleton.sum()
+
+
+@pytest.mark.parametrize(("name", "choice", "settings", "expected"), [
+    ("discs", "rule", {}, lambda pixels, rule: thinbench.thin(thinbench.binarise(pixels), rule)),
+    ("scene.jpg", "edge", {"operation": "edges", "gradient": 30, "brightness": 100},
+     lambda pixels, operator: thinbench.detect_edges(pixels[..., 0].copy(), operator, 30, 100) > 0)])
+def test_every_choice_gives_the_pixels_of_the_native_library(page, files, name, choice, settings, expected):
+    page.open()
+    page.choose(files[name])
+    words = page.value(f"[...document.getElementById('{choice}').options].map(one => one.value)")
+    assert len(words) > (20 if choice == "rule" else 2)
+    for word in words:
+        page.set(**settings, **{choice: word})
+        assert np.array_equal(is_set(page.png()), expected(pixels_of(files[name]), word)), word
 
 
 @pytest.mark.parametrize("name", ["discs", "noise", "scene.jpg"])
@@ -256,16 +249,6 @@ def test_graphs_are_those_of_the_native_library(page, files, name, prune):
     drawing = ElementTree.fromstring(page.save("svg"))
     names = [one.tag.partition("}")[2] for one in drawing.iter()]
     assert names.count("polyline") == len(rows) and names.count("circle") == len(graph.nodes["kind"])
-
-
-def test_edges_are_those_of_the_native_library(page, files):
-    page.open()
-    page.choose(files["scene.jpg"])
-    grey = pixels_of(SCENE)[..., 0]
-    for operator in page.value("[...document.getElementById('edge').options].map(one => one.value)"):
-        page.set(operation="edges", edge=operator, gradient=30, brightness=100)
-        expected = thinbench.detect_edges(grey, operator, 30, 100)
-        assert np.array_equal(is_set(page.png()), expected > 0), operator
 
 
 def test_svg_has_the_pixels_of_the_result(page, files):
