@@ -288,16 +288,11 @@ MOST = ["run", "run_grey_tiff", "run_tiff", "edges", "batch", "batch_table", "ru
         "facts", *PRINTERS, *PIXELS]
 
 
-@pytest.mark.parametrize("name", [*MOST, "verify", "benchmarks"])
-def test_clock_that_jumps(name: str, works: Callable[..., None]) -> None:
-    """By two years, forwards and backwards, at every look."""
-    works(name, shim("clock"))
-
-
-@pytest.mark.parametrize("name", MOST)
-def test_denied_proc(name: str, works: Callable[..., None]) -> None:
-    """Nothing that the work needs is there."""
-    works(name, shim("proc"))
+@pytest.mark.parametrize("name, fault", [
+    *((name, "clock") for name in [*MOST, "verify", "benchmarks"]),  # it jumps by two years, forwards and backwards
+    *((name, fault) for name in MOST for fault in ("proc", "threads"))])  # nothing there can be read, none be started
+def test_work_is_done_all_the_same(name: str, fault: str, works: Callable[..., None]) -> None:
+    works(name, shim(fault))
 
 
 def test_instructions_are_counted_without_proc(inputs: Path, tmp_path: Path) -> None:
@@ -305,12 +300,6 @@ def test_instructions_are_counted_without_proc(inputs: Path, tmp_path: Path) -> 
     result = run(words_of("instructions", inputs), tmp_path, shim("proc"))
     assert result.status == 0 and b"/proc/self/exe cannot be read: rows are counted by single steps" in result.err
     assert set(files_in(tmp_path)) == {"counts.json"}
-
-
-@pytest.mark.parametrize("name", MOST)
-def test_no_thread_can_be_started(name: str, works: Callable[..., None]) -> None:
-    """One thread does the work."""
-    works(name, shim("threads"))
 
 
 def test_instructions_without_threads(fails: Check) -> None:

@@ -115,13 +115,6 @@ TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
 }
 
 
-@pytest.mark.parametrize("kind", TIFFS)
-def test_tiff(kind: str, tmp_path: Path) -> None:
-    data, levels = TIFFS[kind]
-    (tmp_path / "a.tif").write_bytes(data)
-    assert shown(tmp_path / "a.tif") == levels
-
-
 @pytest.mark.parametrize("compression", [33003, 34712, 34892, 50013, 65000])
 def test_unknown_compression_is_named(compression: int, tmp_path: Path) -> None:
     (tmp_path / "a.tif").write_bytes(tiff(2, 2, [bytes(4)], {259: (SHORT, [compression])}))
@@ -270,11 +263,12 @@ BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
 }
 
 
-@pytest.mark.parametrize("kind", BMPS)
-def test_bmp(kind: str, tmp_path: Path) -> None:
-    data, levels = BMPS[kind]
-    (tmp_path / "a.bmp").write_bytes(data)
-    assert shown(tmp_path / "a.bmp") == levels
+@pytest.mark.parametrize("name, data, levels", [
+    *(("a.tif", *made) for made in TIFFS.values()), *(("a.bmp", *made) for made in BMPS.values())],
+    ids=[*TIFFS, *BMPS])
+def test_files_mean_these_levels(name: str, data: bytes, levels: list[list[int]], tmp_path: Path) -> None:
+    (tmp_path / name).write_bytes(data)
+    assert shown(tmp_path / name) == levels
 
 
 def test_bmp_that_is_not_read_says_why(tmp_path: Path) -> None:

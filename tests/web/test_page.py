@@ -174,7 +174,7 @@ def test_skeletons_are_those_of_the_native_library(page, files, name, settings, 
 @pytest.mark.parametrize(("name", "choice", "settings", "expected"), [
     ("discs", "rule", {}, lambda pixels, rule: thinbench.thin(thinbench.binarise(pixels), rule)),
     ("scene.jpg", "edge", {"operation": "edges", "gradient": 30, "brightness": 100},
-     lambda pixels, operator: thinbench.detect_edges(pixels[..., 0].copy(), operator, 30, 100) > 0)])
+     lambda pixels, operator: thinbench.detect_edges(pixels[..., 0], operator, 30, 100) > 0)])
 def test_every_choice_gives_the_pixels_of_the_native_library(page, files, name, choice, settings, expected):
     page.open()
     page.choose(files[name])
