@@ -68,19 +68,15 @@ def test_widths_are_those_of_the_image_at_each_pixel_and_of_nodes_and_may_be_inf
     assert geojson["features"][2]["properties"]["width_min"] is None
     json.dumps(geojson, allow_nan=False)
     image[1, 0] = image[0, 1:5] = False
-    uneven = thinbench.skeleton_graph(skeleton, image)
-    found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
-    assert found == [reduce(uneven.edge_widths(0)) for reduce in (np.mean, np.median, np.min, np.max)]
-    assert len(set(found)) == 4
+    for spacing in (1, 0.5):
+        uneven = thinbench.skeleton_graph(skeleton, image, spacing=spacing)
+        widths = uneven.edge_widths(0)
+        np.testing.assert_allclose(widths, 2 * thinbench.distances(image, spacing=spacing)[2])
+        found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
+        assert found == [reduce(widths) for reduce in (np.mean, np.median, np.min, np.max)]
+        assert len(set(found)) == 4 and uneven.nodes["width"].tolist() == widths[[0, -1]].tolist()
     block = drawn("##", "##", "..")  # a node is as wide as its widest pixel
     assert thinbench.skeleton_graph(block, block, not_thin="ignore").nodes["width"] == [4]
-    image[0] = image[-1] = False
-    image[1, 0] = True
-    for spacing in (1, 0.5):
-        graph = thinbench.skeleton_graph(skeleton, image, spacing=spacing)
-        assert graph.edge_widths(0).tolist() == [4 * spacing] * 9
-        assert all(graph.edges[f"width-{name}"] == 4 * spacing for name in ("mean", "min", "max", "median"))
-        assert graph.nodes["width"].tolist() == [4 * spacing] * 2 and graph.edges["length"] == 8 * spacing
 
 
 @pytest.mark.parametrize(("options", "is_pruned"), [
@@ -186,10 +182,9 @@ def test_the_main_path_of_a_tree_leaves_out_its_short_branch():
     assert uneven.length == pytest.approx(6 * 2 + 4 * (4 + 0.25) ** 0.5)
 
 
-def test_there_is_a_main_path_for_each_component_and_none_without_nodes():
+def test_the_main_path_is_the_longest_of_those_of_the_components():
     graph = thinbench.skeleton_graph(drawn("##.#", "....", "###."))
-    assert [path.length for path in graph.main_paths()] == [1, 0, 2]
-    assert graph.main_path().pixels.tolist() == [[2, 0], [2, 1], [2, 2]]
+    assert [path.length for path in graph.main_paths()] == [1, 0, 2] and graph.main_path().length == 2
 
 
 RING = drawn(".#####.",
@@ -224,14 +219,12 @@ def test_pixels_of_main_paths_have_their_length_whatever_the_order_of_edges(seed
 
 def test_edge_labels_tell_lines_apart_that_meet_at_a_junction():
     graph = thinbench.skeleton_graph(TREE)
-    expected = np.zeros(TREE.shape, int)
+    expected = np.zeros(TREE.shape, np.int32)
     for edge in range(3):
         expected[tuple(graph.edge_pixels(edge).T)] = edge + 1
     expected[tuple(graph.node_pixels(2).T)] = 0
-    labels = graph.edge_labels()
-    assert labels.dtype == np.int32 and graph.shape == TREE.shape
-    np.testing.assert_array_equal(labels, expected)
-    assert len(np.unique(labels)) == 4 and ndimage.label(labels > 0, np.ones((3, 3)))[1] == 1
+    np.testing.assert_array_equal(graph.edge_labels(), expected)
+    assert graph.edge_labels().dtype == np.int32
     np.testing.assert_array_equal(thinbench.skeleton_graph(RING).edge_labels(), RING)
     assert graph.subgraph([2]).edge_labels()[2, 5] == 1
     assert thinbench.skeleton_graph(np.zeros((2, 3), bool)).edge_labels().tolist() == [[0] * 3] * 2
@@ -240,13 +233,9 @@ def test_edge_labels_tell_lines_apart_that_meet_at_a_junction():
 def test_smoothed_lengths_are_those_of_the_polylines():
     graph = thinbench.skeleton_graph(drawn("###......", "...###...", "......###"), spacing=(2, 1))
     assert graph.smoothed_lengths().tolist() == [np.hypot(8, 4)]
-    np.testing.assert_allclose(graph.smoothed_lengths(0), graph.edges["length"])
-    table = graph.summary(tolerance=0)
-    assert table["smoothed-length"].tolist() == graph.smoothed_lengths(0).tolist()
-    tree = thinbench.skeleton_graph(TREE)
-    lines = tree.polylines(0.5)
-    np.testing.assert_allclose(tree.smoothed_lengths(0.5),
-                               [np.hypot(*np.diff(line, axis=0).T).sum() for line in lines])
+    tree = thinbench.skeleton_graph(TREE, spacing=(2, 1))
+    np.testing.assert_allclose(tree.smoothed_lengths(0), tree.edges["length"])
+    assert tree.summary(tolerance=0)["smoothed-length"].tolist() == tree.smoothed_lengths(0).tolist()
     assert len(thinbench.skeleton_graph(np.zeros((2, 3), bool)).smoothed_lengths()) == 0
 
 
@@ -283,12 +272,6 @@ def test_cycles_close_by_their_longest_edge():
         assert cycle.pixels[0].tolist() == cycle.pixels[-1].tolist()
 
 
-def test_the_summary_is_a_copy():
-    graph = thinbench.skeleton_graph(EIGHT)
-    for column in graph.summary().values():
-        assert not any(np.shares_memory(column, own) for own in graph.edges.values())
-
-
 def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
     graph = thinbench.skeleton_graph(EIGHT)
     lengths = sorted(cycle.length for cycle in graph.cycles())
@@ -299,21 +282,20 @@ def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
 def test_the_summary_has_the_columns_of_skan_and_the_values_of_a_table_by_hand():
     graph = thinbench.skeleton_graph(TREE, spacing=(2, 1))
     table = graph.summary()
-    assert list(table["branch-type"]) == [1, 1, 1]
     assert list(table["skeleton-id"]) == [0, 0, 0]
     assert table["node-id-src"].tolist() == [0, 1, 2] and table["node-id-dst"].tolist() == [2, 2, 3]
     np.testing.assert_allclose(table["branch-distance"], [2 * 5**0.5 + 2, 2 * 5**0.5 + 2, 4], atol=1)
     assert table["image-coord-src-0"].tolist() == [0, 0, 2] and table["coord-dst-0"][2] == 8
     np.testing.assert_allclose(table["tortuosity"], table["branch-distance"] / table["euclidean-distance"])
     assert "branch_distance" in graph.summary(separator="_")
+    assert not any(np.shares_memory(column, own) for column in table.values() for own in graph.edges.values())
 
 
-def test_branch_types_are_those_of_ends_junctions_and_closed_lines():
-    line = thinbench.skeleton_graph(drawn("###")).summary()
-    ring = thinbench.skeleton_graph(drawn(".#.", "#.#", ".#.")).summary()
-    eight = thinbench.skeleton_graph(EIGHT).summary()
-    assert line["branch-type"].tolist() == [0] and ring["branch-type"].tolist() == [3]
-    assert np.isnan(ring["tortuosity"]).all() and set(eight["branch-type"].tolist()) == {1, 2}
+@pytest.mark.parametrize(("lines", "types"), [
+    (TREE, {1}), (drawn("###"), {0}), (drawn(".#.", "#.#", ".#."), {3}), (EIGHT, {1, 2})])
+def test_branch_types_are_those_of_ends_junctions_and_closed_lines(lines, types):
+    table = thinbench.skeleton_graph(lines).summary()
+    assert set(table["branch-type"].tolist()) == types and np.isnan(table["tortuosity"]).all() == (types == {3})
 
 
 def test_a_subgraph_has_the_edges_that_are_asked_for_and_their_nodes():
