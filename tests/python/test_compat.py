@@ -224,6 +224,10 @@ def test_a_background_beyond_int32_is_one_as_any_other(background):
     assert_same(SKIMAGE.label(image, background=background), measure.label(image, background=background))
 
 
+def test_a_table_of_no_labels_is_empty_where_scikit_image_fails():
+    assert not any(map(len, SKIMAGE.regionprops_table(np.zeros((0, 3), int)).values()))
+
+
 def test_labels_as_bool_are_those_of_scipy():
     assert_same(SCIPY.label([[1, 0, 1]], output=bool), ndimage.label([[1, 0, 1]], output=bool))
 

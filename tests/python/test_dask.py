@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import resource
@@ -189,6 +190,16 @@ def test_out_is_written_when_complete(tmp_path):
     np.testing.assert_array_equal(existing[:], expected)
 
 
+@contextlib.contextmanager
+def cluster_of(workers: int, **options: object):
+    """Its client, which dask uses meanwhile."""
+    distributed = pytest.importorskip("distributed")
+    cluster = distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+                                       silence_logs=60, **options)
+    with dask.config.set(scheduler=None), cluster, distributed.Client(cluster) as client:
+        yield client
+
+
 def discs(side: int) -> np.ndarray:
     """Discs across chunks, which take many iterations, on noise."""
     random = np.random.RandomState(1)
@@ -201,7 +212,6 @@ def discs(side: int) -> np.ndarray:
 
 
 def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_path, monkeypatch):
-    distributed = pytest.importorskip("distributed")
     image = discs(1000)
     source = zarr.open(tmp_path / "image.zarr", mode="w", shape=image.shape, chunks=(190, 230),
                        dtype=bool)
@@ -209,9 +219,7 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
     array = da.from_zarr(source)
     expected = thinbench.thin(image)
     rounds = count_chunks(monkeypatch)
-    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
-                                       dashboard_address=None, silence_logs=60)
-    with dask.config.set(scheduler=None), cluster, distributed.Client(cluster) as client:
+    with cluster_of(2) as client:
         result = tb_dask.thin(array, out=tmp_path / "skeleton.zarr")
         np.testing.assert_array_equal(zarr.open(tmp_path / "skeleton.zarr", "r")[:], expected)
         assert len(rounds) > 1
@@ -230,7 +238,6 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
 
 
 def test_a_worker_killed_while_it_computes_gives_the_result_in_memory(tmp_path):
-    distributed = pytest.importorskip("distributed")
     image, killed = discs(600), tmp_path / "killed"
 
     def kill_own_worker_once(block):
@@ -243,9 +250,7 @@ def test_a_worker_killed_while_it_computes_gives_the_result_in_memory(tmp_path):
 
     array = da.from_array(image, chunks=(150, 150)).map_blocks(
         kill_own_worker_once, dtype=bool, meta=np.empty((0, 0), bool))
-    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
-                                       dashboard_address=None, silence_logs=60)
-    with dask.config.set(scheduler=None), cluster, distributed.Client(cluster):
+    with cluster_of(2):
         np.testing.assert_array_equal(tb_dask.thin(array).compute(), thinbench.thin(image))
     assert killed.exists()
 
@@ -256,15 +261,13 @@ def peak_bytes() -> int:
 
 def test_a_worker_with_less_memory_than_the_array_writes_the_result(tmp_path):
     """It puts chunks on disk, in each round."""
-    distributed = pytest.importorskip("distributed")
     tile = np.zeros((4000, 4000), bool)
     tile[200::400] = tile[201::400] = True
     array = zarr.open(str(tmp_path / "map.zarr"), mode="w", shape=(16000, 24000), chunks=tile.shape, dtype=bool)
     for top in range(0, 16000, 4000):
         for left in range(0, 24000, 4000):
             array[top:top + 4000, left:left + 4000] = tile
-    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, memory_limit="350MB", dashboard_address=":0",
-                                  local_directory=tmp_path) as cluster, distributed.Client(cluster) as client:
+    with cluster_of(1, memory_limit="350MB", local_directory=tmp_path) as client:
         skeleton = tb_dask.thin(da.from_zarr(array), out=str(tmp_path / "skeleton.zarr"))
         (peak,) = client.run(peak_bytes).values()
     assert peak < array.nbytes

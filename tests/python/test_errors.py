@@ -305,6 +305,9 @@ CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
 
 @pytest.mark.parametrize(("function", "arguments", "options", "error", "said"), [
     (CV2.thinning, [ONE[:0]], {}, ValueError, "(0, 3)"),
+    (CV2.connectedComponents, [ONE[:0]], {}, ValueError, "with pixels"),
+    (CV2.distanceTransform, [ONE[:0], 2, 0], {}, ValueError, "with pixels"),
+    (SKIMAGE.thin, [ONE[:0]], {}, ValueError, "(0, 3)"),
     (CV2.thinning, [ONE], {"thinningType": 7}, ValueError, "7"),
     (CV2.thinning, [ONE.astype(float)], {}, TypeError, "float64"),
     (CV2.thinning, [ONE, np.zeros((3, 4), np.uint8)], {}, ValueError, "(3, 4)"),
