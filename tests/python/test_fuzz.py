@@ -1,4 +1,4 @@
-"""Arrays and arguments of any kind: the pixels of a plain copy, or one line that names the argument.
+"""Arrays and arguments of any kind: the result of plain copies, or one line that names the argument.
 THINBENCH_FUZZ_EXAMPLES sets how many calls of each kind are tried, other ones in every run."""
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from scipy import ndimage
 
 import thinbench
 
@@ -76,29 +76,72 @@ def result_or_reason(names: str, call: Callable[..., Any], *positional: Any, **n
         return None
 
 
-THINNING = {"rule": arguments(st.sampled_from(RULES), "guo_hall"),
-            "border": arguments(st.sampled_from(["background", "keep", "foreground"]), None),
-            "max_iterations": arguments(st.integers(1, 4), None),
-            "threads": arguments(st.integers(1, 3), 1)}
+OPTIONS = st.fixed_dictionaries({
+    "rule": arguments(st.sampled_from(RULES), "guo_hall"),
+    "border": arguments(st.sampled_from(["background", "keep", "foreground"]), None),
+    "max_iterations": arguments(st.integers(1, 4), None), "threads": arguments(st.integers(1, 3), 1)})
 NAMES = f"images?|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
+LEVELS = arguments(st.integers(0, 255), 40)
+TABLES = st.one_of(arrays(("?", "u1"), 1), st.builds(lambda seed: pixels((512,), "?", seed), st.integers(0, 9)),
+                   st.builds(lambda seed: pixels((2, 512), "u1", seed) != 0, st.integers(0, 9)), ODD)
 
 
+def thin_packed(packed: Any, width: Any, order: Any, options: dict[str, Any]) -> Any:
+    """Mostly with a width that fits."""
+    if packed.ndim == 2 and isinstance(width, int) and width == 200:
+        width = 8 * packed.shape[1]
+    return thinbench.thin_packed(packed, width, bit_order=order, return_iterations=True, **options)
+
+
+def rule_of_tables(tables: Any, border: Any, limit: Any, image: Any) -> Any:
+    return thinbench.apply(image, thinbench.Rule(tables, border=border, max_iterations=limit))
+
+
+EDGES = "image|gradient_threshold|gradient threshold|brightness_threshold|brightness threshold"
+CALLS: dict[str, tuple[str, Callable[..., Any], list[st.SearchStrategy[Any]]]] = {
+    "thin": (NAMES, lambda image, options: thinbench.thin(image, return_iterations=True, **options),
+             [st.one_of(arrays(), arrays(dimensions=3)), OPTIONS]),
+    "thin_many": (NAMES, lambda images, options: thinbench.thin_many(images, **options),
+                  [st.lists(arrays(), max_size=4), OPTIONS]),
+    "thin_labels": ("labels|label|" + NAMES, lambda labels, options: thinbench.thin_labels(labels, **options),
+                    [arrays(("u2", ">u2", "i4")), OPTIONS]),
+    "thin_packed": ("packed|width|bit_order|" + NAMES, thin_packed,
+                    [arrays(("u1",)), st.one_of(st.integers(-1, 200), ODD),
+                     arguments(st.sampled_from(["big", "little"]), "big"), OPTIONS]),
+    **{name: ("image", getattr(thinbench, name), [arrays()]) for name in (
+        "label_regions", "fill_holes", "euler_number", "distances", "squared_distances", "midpoint_scan",
+        "classify_pixels")},
+    "binarise": ("image", thinbench.binarise, [arrays(("?", "u1", "u2"))]),
+    "label_values": ("image", thinbench.label_values, [arrays(("u1", "i4", "i8"))]),
+    "detect_edges": (EDGES + "|operator", thinbench.detect_edges, [
+        arrays(("u1",)), arguments(st.sampled_from(["sobel", "roberts4", "mero_vassy_5x5"]), "sobel"), LEVELS, LEVELS]),
+    "localise_objects": (EDGES, thinbench.localise_objects, [arrays(("u1",)), LEVELS, LEVELS]),
+    "a rule of tables": ("tables|sub_iterations|border|max_iterations|image|custom", rule_of_tables, [
+        TABLES, arguments(st.sampled_from(["background", "keep", "foreground"]), "background"),
+        arguments(st.integers(1, 3), 1), arrays()]),
+    "a notation": ("notation|rule", lambda notation: thinbench.Rule.from_hensel(notation, max_iterations=1),
+                   [st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD)]),
+}
+
+
+def plain(value: Any) -> Any:
+    """With copies of the arrays: by rows, aligned, writable and in the machine's order of bytes."""
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    return value.astype(value.dtype.newbyteorder("="), order="C") if isinstance(value, np.ndarray) else value
+
+
+@pytest.mark.parametrize("name", CALLS)
 @SETTINGS
-@given(st.one_of(arrays(), arrays(dimensions=3)), st.fixed_dictionaries(THINNING))
-def test_thin_gives_the_pixels_of_a_plain_copy_or_names_the_argument(image, options):
-    before = image.copy()
-    found = result_or_reason(NAMES, thinbench.thin, image, return_iterations=True, **options)
-    if found is None:
-        return
-    result, iterations = found
-    assert image.dtype in (bool, np.uint8) and image.ndim in (2, 3)
-    assert result.shape == image.shape and result.dtype == image.dtype
-    np.testing.assert_array_equal(image, before)
-    foreground = np.ascontiguousarray(before != 0)
-    images = foreground if image.ndim == 3 else foreground[None]
-    expected = [thinbench.thin(np.ascontiguousarray(one), return_iterations=True, **options) for one in images]
-    np.testing.assert_array_equal(result != 0, np.array([one for one, _ in expected]).reshape(image.shape))
-    assert iterations == max((count for _, count in expected), default=0)
+@given(st.data())
+def test_a_call_gives_what_it_gives_with_plain_copies_or_names_the_argument(name, data):
+    names, call, strategies = CALLS[name]
+    drawn = [data.draw(strategy) for strategy in strategies]
+    copies = [plain(value) for value in drawn]
+    result = result_or_reason(names, call, *drawn)
+    if result is not None:
+        np.testing.assert_equal(result, call(*copies))
+    np.testing.assert_equal(plain(drawn), copies)
 
 
 @SETTINGS
@@ -112,101 +155,3 @@ def test_out_receives_the_result_or_is_named(image, out):
         elif out is not None:
             assert result is out
             np.testing.assert_array_equal(out, function(image.copy()))
-
-
-@SETTINGS
-@given(st.lists(arrays(), max_size=4), st.fixed_dictionaries(THINNING))
-def test_thin_many_gives_what_thin_gives_or_names_the_argument(images, options):
-    results = result_or_reason(NAMES, thinbench.thin_many, images, **options)
-    if results is None:
-        return
-    assert len(results) == len(images)
-    for image, result in zip(images, results):
-        np.testing.assert_array_equal(result, thinbench.thin(image, **options))
-
-
-@SETTINGS
-@given(arrays(("u2", "i4")), st.fixed_dictionaries(THINNING))
-def test_thin_labels_gives_what_each_label_gives_or_names_the_argument(labels, options):
-    result = result_or_reason("labels|label|" + NAMES, thinbench.thin_labels, labels, **options)
-    if result is None:
-        return
-    expected = np.zeros(labels.shape, labels.dtype)
-    for label in set(labels.ravel().tolist()) - {0}:
-        expected[thinbench.thin(np.ascontiguousarray(labels == label), **options)] = label
-    np.testing.assert_array_equal(result, expected)
-
-
-@SETTINGS
-@given(arrays(("u1",)), st.one_of(st.integers(-1, 200), ODD), arguments(st.sampled_from(["big", "little"]), "big"),
-       st.fixed_dictionaries(THINNING))
-def test_thin_packed_gives_what_thin_gives_or_names_the_argument(packed, width, order, options):
-    names = "packed|width|bit_order|" + NAMES
-    if packed.ndim == 2 and isinstance(width, int) and width == 200:
-        width = 8 * packed.shape[1]
-    found = result_or_reason(names, thinbench.thin_packed, packed, width, bit_order=order, return_iterations=True,
-                             **options)
-    if found is None:
-        return
-    image = np.unpackbits(np.ascontiguousarray(packed), axis=-1, count=width, bitorder=order)
-    expected, iterations = thinbench.thin(image, return_iterations=True, **options)
-    expected = np.packbits(expected != 0, axis=-1, bitorder=order)
-    np.testing.assert_array_equal(found[0], expected.reshape(packed.shape))
-    assert found[1] == iterations
-
-
-@SETTINGS
-@given(arrays())
-def test_regions_filled_holes_and_distances_are_those_of_scipy_or_the_image_is_named(image):
-    found = result_or_reason("image", thinbench.label_regions, image)
-    filled = result_or_reason("image", thinbench.fill_holes, image)
-    number = result_or_reason("image", thinbench.euler_number, image)
-    assert (found is None) == (filled is None) == (number is None)
-    if found is None:
-        return
-    table, labels = found
-    objects, count = ndimage.label(image != 0, np.ones((3, 3)))
-    np.testing.assert_array_equal(np.where(labels <= count, labels, 0), objects)
-    np.testing.assert_array_equal(filled != 0, ndimage.binary_fill_holes(image != 0))
-    assert number == count - int(table["is_hole"].sum())
-    if not np.all(image):
-        np.testing.assert_array_equal(thinbench.distances(image), ndimage.distance_transform_edt(image != 0))
-
-
-@SETTINGS
-@given(arrays(("u1",)), arguments(st.sampled_from(["sobel", "roberts4", "mero_vassy_5x5"]), "sobel"),
-       arguments(st.integers(0, 255), 40), arguments(st.integers(0, 255), 128))
-def test_edges_are_those_of_a_plain_copy_or_the_argument_is_named(image, operator, gradient, brightness):
-    names = "image|operator|gradient_threshold|gradient threshold|brightness_threshold|brightness threshold"
-    result = result_or_reason(names, thinbench.detect_edges, image, operator, gradient, brightness)
-    if result is not None:
-        np.testing.assert_array_equal(
-            result, thinbench.detect_edges(np.array(image, order="C"), operator, gradient, brightness))
-    found = result_or_reason(names, thinbench.localise_objects, image, gradient, brightness)
-    if found is not None:
-        again = thinbench.localise_objects(np.array(image, order="C"), gradient, brightness)
-        for name, column in found.items():
-            np.testing.assert_array_equal(column, again[name])
-
-
-TABLES = st.one_of(arrays(("?", "u1"), 1), st.builds(lambda seed: pixels((512,), "?", seed), st.integers(0, 9)),
-                   st.builds(lambda seed: pixels((2, 512), "u1", seed) != 0, st.integers(0, 9)), ODD)
-RULE_NAMES = "tables|sub_iterations|border|max_iterations"
-
-
-@SETTINGS
-@given(TABLES, arguments(st.sampled_from(["background", "keep", "foreground"]), "background"),
-       arguments(st.integers(1, 3), 1), arrays())
-def test_rules_of_tables_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
-    rule = result_or_reason(RULE_NAMES, thinbench.Rule, tables, border=border, max_iterations=limit)
-    if rule is None:
-        return
-    result = result_or_reason("image|custom", thinbench.apply, image, rule)
-    if result is not None:
-        np.testing.assert_array_equal(result, thinbench.apply(np.array(image, order="C"), rule))
-
-
-@SETTINGS
-@given(st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD))
-def test_notations_are_read_or_named(notation):
-    result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation, max_iterations=1)

@@ -41,18 +41,32 @@ def test_bool_and_uint8_give_the_same_skeleton_in_their_own_type():
     np.testing.assert_array_equal(as_bytes, as_bool * np.uint8(255))
 
 
+def thin_labels(image, **options):
+    return thinbench.thin_labels(image * 7, **options) == 7
+
+
+def thin_packed(image, **options):
+    packed = thinbench.thin_packed(np.packbits(image, axis=1), image.shape[1], **options)
+    return np.unpackbits(packed, axis=1, count=image.shape[1]) == 1
+
+
+def thin_many(image, **options):
+    return thinbench.thin_many([EMPTY, image], **options)[1]
+
+
 SOLID, EMPTY, DIAGONAL = np.ones((7, 7), bool), np.zeros((7, 7), bool), np.eye(2, dtype=bool)
 OPEN = np.array([[0, 5, 5], [5, 0, 5], [5, 5, 5]])
 """Its hole and the outside touch at a corner."""
 
 
 @pytest.mark.parametrize(("function", "image", "options", "count"), [
-    *((thinbench.thin, SOLID, {"rule": "erode", "border": border}, count)
-      for border, count in (("background", 25), ("keep", 49), ("foreground", 49))),
     *((thinbench.thin, EMPTY, {"rule": "dilate", "border": border}, count)
       for border, count in (("background", 0), ("keep", 0), ("foreground", 24))),
-    (thinbench.thin, SOLID, {"rule": "erode", "border": "background", "max_iterations": 2}, 9),
-    (thinbench.thin, SOLID, {"rule": "erode", "border": "background", "max_iterations": 9}, 0),
+    *((function, SOLID, {"rule": "erode"} | options, count)
+      for function in (thinbench.thin, thin_labels, thin_packed, thin_many) for options, count in (
+          ({"border": "background"}, 25), ({"border": "keep"}, 49), ({"border": "background", "max_iterations": 2}, 9),
+          ({"border": "background", "max_iterations": 9}, 0))),
+    (thinbench.thin, SOLID, {"rule": "erode", "border": "foreground"}, 49),
     *((thinbench.midpoint_scan, image, {"directions": directions}, count) for image, directions, count in (
         (np.ones((3, 5), bool), "rows", 3), (np.ones((3, 5), bool), ["columns"], 5),
         (np.ones((3, 5), bool), ["rows", "columns"], 7), (SOLID, [], 0), (DIAGONAL, "diagonals", 1),
@@ -64,10 +78,17 @@ OPEN = np.array([[0, 5, 5], [5, 0, 5], [5, 5, 5]])
 def test_options_are_passed_on(function, image, options, count):
     result = function(image, **options)
     assert np.count_nonzero(result) == count and result.dtype == image.dtype
-    image = image.copy()
-    for out in (np.empty_like(image), image):  # the image may become the result
+
+
+@pytest.mark.parametrize(("function", "options"), [
+    (thinbench.thin, {}), (thinbench.thin_labels, {}), (thinbench.fill_holes, {}), (thinbench.fill_holes_of_labels, {}),
+    (thinbench.midpoint_scan, {"directions": "rows"})])
+def test_out_receives_the_result_and_may_be_the_image(function, options):
+    image = random_image(3).astype(np.uint8)
+    expected = function(image, **options)
+    for out in (np.empty_like(image), image):
         assert function(image, out=out, **options) is out
-        np.testing.assert_array_equal(out, result)
+        np.testing.assert_array_equal(out, expected)
 
 
 @pytest.mark.parametrize("dtype", [bool, "i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8"])

@@ -174,9 +174,10 @@ def test_a_row_that_failed_is_skipped_with_the_reason(tmp_path: Path) -> None:
 def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path: Path) -> None:
     with pytest.raises(ReportError, match="run.json: cannot be read"):
         load_run(tmp_path)
-    (tmp_path / "run.json").write_text('{"schema": 1}')
-    with pytest.raises(ReportError, match="run.json: "):
-        load_run(tmp_path)
+    for text in ('{"schema": 1}', '{"schema"'):
+        (tmp_path / "run.json").write_text(text)
+        with pytest.raises(ReportError, match="run.json: "):
+            load_run(tmp_path)
 
 
 def test_one_thread_has_processor_time_and_several_have_the_clock_on_the_wall(tmp_path: Path) -> None:

@@ -80,37 +80,21 @@ def test_verdicts_follow_the_results_of_experiments(
     assert claim(data).verdict is after
 
 
-def bytes_claim(byte_ns: float) -> Claim:
-    rule = "thin_naccache_shinghal"
-    return of_times.bytes_are_faster(rows_with(
-        make_row(rule, "reference", "baseline", 1e7), make_row(rule, "lut", "baseline", byte_ns),
-        make_row(rule, "bitpacked", "baseline", 1e5)))
+RULE, NET = "thin_naccache_shinghal", "net_two_layer_linear"
 
 
-@pytest.mark.parametrize(("ns", "verdict"), [(1e4, Verdict.HOLDS), (0.99e5, Verdict.FAILS), (1e6, Verdict.FAILS)])
-def test_bytes_are_faster_only_where_the_whole_interval_says_so(ns, verdict):
-    assert bytes_claim(ns).verdict is verdict
-
-
-def nets_claim(arithmetic_ns: float, circuit_ns: float) -> Claim:
-    net = "net_two_layer_linear"
-    return of_times.nets_do_not_pay(rows_with(
-        make_row("thin_naccache_shinghal", "simd_bitpacked", "avx2", 1e5),
-        make_row(net, "simd_float_bits", "avx2", arithmetic_ns),
-        make_row(net, "simd_bitpacked", "avx2", circuit_ns)))
-
-
-@pytest.mark.parametrize(("arithmetic", "circuit", "verdict"), [
-    (1e6, 3e5, Verdict.HOLDS), (1e6, 1e5, Verdict.HOLDS), (1e6, 5e4, Verdict.PARTLY), (5e4, 5e4, Verdict.FAILS)])
-def test_nets_improve_times_only_where_they_are_faster_than_the_rule(arithmetic, circuit, verdict):
-    assert nets_claim(arithmetic, circuit).verdict is verdict
-
-
-def test_integers_gain_time_but_lose_answers():
-    net = "net_two_layer_linear"
-    rows = rows_with(make_row(net, "simd_float_bits", "avx2", 2e5),
-                     make_row(net, "simd_fixed_point", "avx2", 1e5))
-    assert of_times.integers_do_not_pay(rows, GOLDEN["quantisation"]).verdict is Verdict.PARTLY
+@pytest.mark.parametrize(("claim", "times", "verdict"), [
+    *((of_times.bytes_are_faster, [(RULE, "reference", "baseline", 1e7), (RULE, "lut", "baseline", byte_ns),
+                                   (RULE, "bitpacked", "baseline", 1e5)], verdict)
+      for byte_ns, verdict in ((1e4, Verdict.HOLDS), (0.99e5, Verdict.FAILS), (1e6, Verdict.FAILS))),  # by the interval
+    *((of_times.nets_do_not_pay, [(RULE, "simd_bitpacked", "avx2", 1e5), (NET, "simd_float_bits", "avx2", arithmetic_ns),
+                                  (NET, "simd_bitpacked", "avx2", circuit_ns)], verdict)
+      for arithmetic_ns, circuit_ns, verdict in ((1e6, 3e5, Verdict.HOLDS), (1e6, 1e5, Verdict.HOLDS),
+                                                 (1e6, 5e4, Verdict.PARTLY), (5e4, 5e4, Verdict.FAILS))),
+    (lambda rows: of_times.integers_do_not_pay(rows, GOLDEN["quantisation"]),  # time is gained, answers are lost
+     [(NET, "simd_float_bits", "avx2", 2e5), (NET, "simd_fixed_point", "avx2", 1e5)], Verdict.PARTLY)])
+def test_verdicts_follow_times(claim, times, verdict):
+    assert claim(rows_with(*(make_row(*time) for time in times))).verdict is verdict
 
 
 def paper_rows(swap: bool) -> Rows:
