@@ -45,9 +45,10 @@ def thin_labels(image, **options):
     return thinbench.thin_labels(image * 7, **options) == 7
 
 
-def thin_packed(image, **options):
-    packed = thinbench.thin_packed(np.packbits(image, axis=1), image.shape[1], **options)
-    return np.unpackbits(packed, axis=1, count=image.shape[1]) == 1
+def thin_packed(image, bit_order="big", **options):
+    packed = np.packbits(image, axis=1, bitorder=bit_order)
+    thinned = thinbench.thin_packed(packed, image.shape[1], bit_order=bit_order, **options)
+    return np.unpackbits(thinned, axis=1, count=image.shape[1], bitorder=bit_order) == 1
 
 
 def thin_many(image, **options):
@@ -67,6 +68,7 @@ OPEN = np.array([[0, 5, 5], [5, 0, 5], [5, 5, 5]])
           ({"border": "background"}, 25), ({"border": "keep"}, 49), ({"border": "background", "max_iterations": 2}, 9),
           ({"border": "background", "max_iterations": 9}, 0))),
     (thinbench.thin, SOLID, {"rule": "erode", "border": "foreground"}, 49),
+    (thin_packed, SOLID, {"rule": "erode", "border": "background", "bit_order": "little"}, 25),
     *((thinbench.midpoint_scan, image, {"directions": directions}, count) for image, directions, count in (
         (np.ones((3, 5), bool), "rows", 3), (np.ones((3, 5), bool), ["columns"], 5),
         (np.ones((3, 5), bool), ["rows", "columns"], 7), (SOLID, [], 0), (DIAGONAL, "diagonals", 1),
@@ -78,6 +80,16 @@ OPEN = np.array([[0, 5, 5], [5, 0, 5], [5, 5, 5]])
 def test_options_are_passed_on(function, image, options, count):
     result = function(image, **options)
     assert np.count_nonzero(result) == count and result.dtype == image.dtype
+
+
+@pytest.mark.parametrize(("function", "arguments"), [
+    (thinbench.thin, [SOLID]), (thinbench.thin_labels, [SOLID * 7]),
+    (thinbench.thin_packed, [np.packbits(SOLID, axis=1), 7])])
+def test_iterations_are_returned_on_request(function, arguments):
+    options = {"rule": "erode", "border": "background", "max_iterations": 2}
+    result, iterations = function(*arguments, **options, return_iterations=True)
+    assert iterations == 2
+    np.testing.assert_array_equal(result, function(*arguments, **options))
 
 
 @pytest.mark.parametrize(("function", "options"), [
