@@ -18,20 +18,6 @@ from test_formats import LONG, SHORT, Tags, tiff
 GREY = parts()
 
 
-def save(image: Image.Image, **how: object) -> Callable[[Path], None]:
-    """What writes a file."""
-    def write(path: Path) -> None:
-        image.save(path, **how)
-    return write
-
-
-def save_bytes(data: bytes) -> Callable[[Path], None]:
-    """The same for what is there already."""
-    def write(path: Path) -> None:
-        path.write_bytes(data)
-    return write
-
-
 def expect_one_line(words: list[str], directory: Path, says: str) -> None:
     """And nothing new."""
     before = files_in(directory)
@@ -192,15 +178,16 @@ def save_one_strip(path: Path) -> None:
     TiffImagePlugin.STRIP_SIZE = size
 
 
-LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
-    "large.png": (save(parts(SIDE, SIDE), compress_level=1), 0),
-    "large.jpg": (save(parts(SIDE, SIDE)), 0),
-    "colour.png": (save(parts(SIDE, SIDE).convert("RGB"), compress_level=1), 3),
-    "large.pgm": (save(parts(SIDE, SIDE)), 1),
-    "large.tif": (save(parts(SIDE, SIDE)), 1),
+LARGE: dict[str, tuple[Callable[[Path], object], float]] = {
+    "large.png": (lambda path: parts(SIDE, SIDE).save(path, compress_level=1), 0),
+    "large.jpg": (lambda path: parts(SIDE, SIDE).save(path), 0),
+    "colour.png": (lambda path: parts(SIDE, SIDE).convert("RGB").save(path, compress_level=1), 3),
+    "large.pgm": (lambda path: parts(SIDE, SIDE).save(path), 1),
+    "large.tif": (lambda path: parts(SIDE, SIDE).save(path), 1),
     "one strip.tif": (save_one_strip, 0),
-    "progressive.jpg": (save(parts(SIDE, SIDE), progressive=True), 2),
-    "black.png": (save_bytes(png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))), 0),
+    "progressive.jpg": (lambda path: parts(SIDE, SIDE).save(path, progressive=True), 2),
+    "black.png": (lambda path: path.write_bytes(
+        png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))), 0),
 }
 NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
           "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25,
