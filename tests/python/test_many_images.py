@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-
-import thinbench
-
-PROGRAM = Path(thinbench.__file__).resolve().parents[2] / "bin" / "thinbench"
 
 pytest.importorskip("distributed")
 pytest.importorskip("skimage")
@@ -20,6 +15,7 @@ from report.errors import ReportError  # noqa: E402
 from report.many_images.command import QUICK, measure_many_images  # noqa: E402
 from report.many_images.results import COLUMNS, CSV, read_csv  # noqa: E402
 from report.many_images.steps import Figures, Key, Step, measure  # noqa: E402
+from tests.programs import PROGRAMS  # noqa: E402
 
 MACHINE = {"commit": "abc1234", "fingerprint": "intel-6-143-8-1a2b3c4d", "cores": 2,
            "cpu": {"name": "Fake, with comma"}}
@@ -30,7 +26,7 @@ BASE = Key("images", "one")
 @pytest.fixture(scope="module", name="measured")
 def _measured(tmp_path_factory):
     directory = tmp_path_factory.mktemp("many") / "out"
-    return directory, measure_many_images(PROGRAM, MACHINE, SIZES, directory)
+    return directory, measure_many_images(PROGRAMS / "thinbench", MACHINE, SIZES, directory)
 
 
 def test_csv_has_every_step_with_its_machine(measured):
