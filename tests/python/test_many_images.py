@@ -33,7 +33,7 @@ def test_csv_has_every_step_with_its_machine(measured):
     directory, _ = measured
     assert (directory / CSV).read_text().splitlines()[0].split(",") == COLUMNS
     results = read_csv(directory / CSV)
-    assert set(zip(results.commit, results.processor, results.cores, results.rounds, results.flags)) == {
+    assert set(zip(results.commit, results.processor, results.cores, results.rounds, results["flags"])) == {
         ("abc1234", "Fake, with comma", 2, 1, "open")}
     assert set(zip(results.experiment, results.x)) == {
         ("images", 0), ("workers", 1), ("workers", 2), ("calls", 0), ("dask", 600), ("dask", 200), ("dask", 300)}
