@@ -149,12 +149,6 @@ def test_a_quick_study_compiles_what_the_machine_has(monkeypatch: pytest.MonkeyP
     assert isas("avx2") == []
 
 
-def test_no_commit_is_named_by_nothing() -> None:
-    done = subprocess.run(["/usr/bin/python3", "-m", "report", "regress", "--against", ""],
-                          check=False, text=True, capture_output=True, cwd=ROOT)
-    assert done.returncode == 2 and "there is no commit '' in this clone" in done.stderr
-
-
 ENDING = """
 import os, pathlib, runpy, signal, sys
 import report.compare
