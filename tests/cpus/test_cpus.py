@@ -25,8 +25,8 @@ QUICK = "^(thin_guo_hall|thin_mb2|edges_sobel|euler_number|skeleton_scan|net_two
 
 
 def emulated(cpu: str, *arguments: str) -> str:
-    done = subprocess.run(["qemu-x86_64", "-cpu", cpu, str(PROGRAMS / "thinbench-study"), *arguments], capture_output=True, text=True,
-                          check=False)
+    done = subprocess.run(["qemu-x86_64", "-cpu", cpu, str(PROGRAMS / "thinbench-study"), *arguments],
+                          capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{cpu}: status {done.returncode}: {done.stderr[-2000:]}"
     return done.stdout
 

@@ -17,5 +17,6 @@ RECORDED = ROOT / "results" / "experiments"
                                   "quality", "quantisation"])
 def test_experiment_equals_the_recorded_one(name: str, tmp_path: Path) -> None:
     out = tmp_path / "out.json"
-    subprocess.run([PROGRAMS / "thinbench-study", "experiment", name, "--out", out], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([PROGRAMS / "thinbench-study", "experiment", name, "--out", out], check=True,
+                   stdout=subprocess.DEVNULL)
     assert out.read_bytes() == (RECORDED / f"{name}.json").read_bytes()

@@ -1,4 +1,4 @@
-"""The functions with other projects' names give those projects' results: a row for each, with what is drawn for both."""
+"""The functions with other projects' names give those projects' results: a row for each, with what is drawn."""
 
 from __future__ import annotations
 
@@ -139,7 +139,8 @@ ROWS = {
     "cv2 connectedComponentsWithAlgorithm": Row(
         CV2.connectedComponentsWithAlgorithm, cv2.connectedComponentsWithAlgorithm, sources(np.uint8),
         st.tuples(CONNECTIVITIES, LABEL_TYPES, st.integers(-1, 5))),
-    "cv2 distanceTransform by steps": Row(CV2.distanceTransform, cv2.distanceTransform, sources(np.uint8), one_of(STEPS)),
+    "cv2 distanceTransform by steps": Row(CV2.distanceTransform, cv2.distanceTransform, sources(np.uint8),
+                                          one_of(STEPS)),
     "cv2 distanceTransform": Row(
         CV2.distanceTransform, cv2.distanceTransform, sources(np.uint8),
         st.just((CV2.DIST_L2, CV2.DIST_MASK_PRECISE)), assert_same_but_for_the_last_bit),
@@ -254,8 +255,8 @@ def test_results_are_written_where_the_caller_says(function, arguments, name, dt
 
 
 @pytest.mark.parametrize(("function", "source"), [
-    (CV2.thinning, grey_levels(random_image(5), 5)), (lambda image, out: SKIMAGE.remove_small_objects(image, 5, out=out),
-                                                      random_image(7))])
+    (CV2.thinning, grey_levels(random_image(5), 5)),
+    (lambda image, out: SKIMAGE.remove_small_objects(image, 5, out=out), random_image(7))])
 def test_the_image_may_become_the_result(function, source):
     expected = function(source, np.empty_like(source))
     assert function(source, source) is source

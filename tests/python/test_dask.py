@@ -159,7 +159,8 @@ ARRAY = da.ones((9, 9), dtype=bool, chunks=3)
     (lambda: tb_dask.find_regions(np.ones((4, 4), bool)), TypeError, "ndarray"),
     *((lambda call=call, more=more: call(da.zeros((7, 40, 50), dtype=np.uint8), *more), ValueError,
        r"expected shape \(H, W\), got \(7, 40, 50\)") for call, *more in (
-          (tb_dask.thin,), (tb_dask.find_regions,), (tb_dask.detect_edges,), (tb_dask.distances, 3), (tb_dask.fill_holes, 3))),
+          (tb_dask.thin,), (tb_dask.find_regions,), (tb_dask.detect_edges,), (tb_dask.distances, 3),
+          (tb_dask.fill_holes, 3))),
     *((lambda value=value: tb_dask.distances(ARRAY, value), ValueError, "max_distance") for value in (0, np.nan, 1e6)),
     (lambda: tb_dask.fill_holes(ARRAY, 0), ValueError, "max_size"),
 ])

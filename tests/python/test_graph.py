@@ -217,7 +217,7 @@ def test_pixels_of_main_paths_have_their_length_whatever_the_order_of_edges(seed
             nodes[tuple(part.node_pixels(node).T)] = node
         for path in part.main_paths():
             along = nodes[tuple(path.pixels.T)]
-            is_within = (along[1:] == along[:-1]) & (along[1:] >= 0)  # there a path goes straight on and gains no length
+            is_within = (along[1:] == along[:-1]) & (along[1:] >= 0)  # it goes straight on, without length
             steps = np.hypot(*(np.diff(path.pixels, axis=0) * part.spacing).T)
             assert steps[~is_within].sum() == pytest.approx(path.length)
 

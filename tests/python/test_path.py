@@ -243,8 +243,8 @@ def planned(width, start=planning.START, goal=planning.GOAL):
 
 def run_example(*options, cwd):
     package = str(Path(thinbench.__file__).parents[1])
-    return subprocess.run([sys.executable, planning.__file__, *map(str, options)], cwd=cwd, text=True, capture_output=True,
-                          env={**os.environ, "PYTHONPATH": package}, check=False)
+    return subprocess.run([sys.executable, planning.__file__, *map(str, options)], cwd=cwd, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": package}, check=False)
 
 
 @pytest.mark.parametrize("width", [0.5, *range(1, 36)])

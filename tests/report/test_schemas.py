@@ -33,7 +33,8 @@ def test_the_field_that_is_wrong_is_named() -> None:
     ("machine", "thinbench_benchmarks --machine"), ("variants", "thinbench-study list --json"),
     ("counts", "thinbench-study instructions --filter ^euler_number/bitpacked/baseline/1/ --out out"),
     ("weights", "thinbench-study train cluster --out out"),
-    ("weights", "thinbench-study train two-layer --seed 2 --out out"), ("scene", "thinbench-study scene out.png --truth"),
+    ("weights", "thinbench-study train two-layer --seed 2 --out out"),
+    ("scene", "thinbench-study scene out.png --truth"),
     ("regions", f"thinbench holes {ROOT}/results/pictures/scene.jpg --json")])
 def test_what_programs_write_fits_its_schema(schema: str, command: str, tmp_path: Path) -> None:
     program, *words = command.split()

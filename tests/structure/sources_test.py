@@ -1,5 +1,5 @@
-"""What sources may use: dates of the system's clock, intrinsics and names of systems, each where it is allowed; and every
-test of C++ is compiled: one that no CMakeLists.txt names would look like one that passes."""
+"""What sources may use: dates of the system's clock, intrinsics and names of systems, each where it is allowed. And
+every test of C++ is compiled: one that no CMakeLists.txt names would look like one that passes."""
 
 from __future__ import annotations
 
