@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/thinning.hpp"
@@ -212,24 +211,6 @@ TEST(FindPath, of_a_diagonal_step_has_the_room_in_its_middle) {
 TEST(FindPath, is_nothing_where_there_is_none) {
   EXPECT_FALSE(find_path(image_of(kRooms).view(), {{3, 4}, {11, 4}, 5}));
   EXPECT_FALSE(find_path(image_of({"#.#"}).view(), {{0, 0}, {2, 0}, 1}));
-}
-
-TEST(FindPath, rejects_places_without_room_with_the_reason) {
-  const ByteImage rooms = image_of(kRooms);
-  const auto rejected = [&](const PathRequest& request) {
-    return rejection_of([&] { static_cast<void>(find_path(rooms.view(), request)); });
-  };
-  EXPECT_EQ(rejected({{15, 0}, {0, 0}}),
-            "start: row 0, column 15 is outside the map of 15 x 8 pixels");
-  EXPECT_EQ(rejected({{0, 0}, {7, 0}}), "goal: row 0, column 7 is inside an obstacle");
-  EXPECT_EQ(rejected({{6, 0}, {0, 0}, 3}),
-            "start: at row 0, column 6 there is room for a width of 2, not of 3");
-  EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
-  EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
-            "width: expected a finite number from 0 up, got inf");
-  const ConstImageView negative = {rooms.view().data, -1, 8, 15};
-  EXPECT_EQ(rejection_of([&] { static_cast<void>(find_path(negative, {})); }),
-            "source has the size -1 x 8");
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
-// Nets as rules: their tables and rejected weights.
-#include <limits>
-#include <stdexcept>
+// Nets as rules: their tables.
 
 #include <gtest/gtest.h>
 
 #include "rules/built_in/naccache_shinghal.hpp"
 #include "rules/rule_table.hpp"
 #include "rules/trained_cluster.hpp"
-#include "support/rejection.hpp"
 #include "techniques/net_model.hpp"
 #include "thinbench/rule.hpp"
 
@@ -53,36 +50,6 @@ int correct_descriptors(const TwoLayerWeights& weights, Activation activation) {
 TEST(Nets, rounded_weights_are_correct_on_251_descriptors_with_sigmoid_and_252_with_linear) {
   EXPECT_EQ(correct_descriptors(detail::kRoundedTwoLayer, Activation::sigmoid), 251);
   EXPECT_EQ(correct_descriptors(detail::kRoundedTwoLayer, Activation::linear), 252);
-}
-
-TEST(Nets, reject_weights_out_of_range) {
-  TwoLayerWeights weights = kPaperTwoLayer;
-  weights.hidden[3].weight[5] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(rejection_of([&] { (void)Rule::from_net(weights, Activation::linear); }),
-            "weight 5 of hidden neuron 3: expected a number in [-1e30, 1e30], got nan");
-  weights = kPaperTwoLayer;
-  weights.output.bias = 2e30F;
-  EXPECT_THROW((void)Rule::from_net(weights, Activation::sigmoid), std::invalid_argument);
-}
-
-TEST(Nets, reject_an_invalid_activation) {
-  EXPECT_EQ(rejection_of([] { (void)Rule::from_net(kPaperTwoLayer, static_cast<Activation>(7)); }),
-            "activation: expected sigmoid or linear, got number 7");
-}
-
-TEST(Nets, reject_clusters_that_do_not_cover_the_descriptors) {
-  ClusterWeights cluster = kTrainedCluster;
-  const auto rejection = [&] { return rejection_of([&] { (void)Rule::from_net(cluster); }); };
-  cluster.nets[11].last = 254;
-  EXPECT_EQ(rejection(), "the nets end at descriptor 254, not 255");
-  cluster = kTrainedCluster;
-  cluster.nets[3].last = cluster.nets[2].last;
-  EXPECT_EQ(rejection(), "net 3 covers no descriptor");
-  for (const int count : {0, 17, -1}) {
-    cluster.count = count;
-    EXPECT_EQ(rejection(),
-              "the cluster has " + std::to_string(count) + " nets; it must have 1 to 16");
-  }
 }
 
 }  // namespace
