@@ -86,39 +86,6 @@ class Recovery {
   int count_ = 0;
 };
 
-/// Lines of a grid; those of an open one go on beyond the last crossing.
-Drawing grid(int columns, int rows, int spacing, bool is_open) {
-  const int margin = is_open ? 1 : 0;
-  const int width = columns - 1 + 2 * margin;
-  const int height = rows - 1 + 2 * margin;
-  Drawing drawing(width * spacing + 1, height * spacing + 1);
-  for (int y = margin; y <= height - margin; ++y) {
-    for (int x = 0; x < width; ++x)
-      drawing.line({x * spacing, y * spacing}, {(x + 1) * spacing, y * spacing});
-  }
-  for (int x = margin; x <= width - margin; ++x) {
-    for (int y = 0; y < height; ++y)
-      drawing.line({x * spacing, y * spacing}, {x * spacing, (y + 1) * spacing});
-  }
-  return drawing;
-}
-
-TEST(DrawnGraphs, of_grids_are_recovered) {
-  Recovery recover;
-  for (int columns = 2; columns <= 6; ++columns) {
-    for (int rows = 2; rows <= 6; ++rows) {
-      for (const int spacing : {2, 3, 7}) {
-        for (const bool is_open : {false, true}) {
-          const Drawing drawing = grid(columns, rows, spacing, is_open);
-          ASSERT_TRUE(drawing.is_held());
-          recover(drawing);
-        }
-      }
-    }
-  }
-  EXPECT_EQ(recover.count(), 150);
-}
-
 /// Points of a grid, and some of the lines between them.
 Drawing maze(int spacing, std::mt19937& random) {
   constexpr int columns = 9;
