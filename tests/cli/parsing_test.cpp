@@ -74,27 +74,20 @@ TEST_F(Program, rejects_unknown_words_with_the_nearest_and_missing_and_excess_on
 }
 
 TEST_F(Program, rejects_values_with_what_was_given_and_expected) {
-  struct Values {
-    std::string option, expected;
-    Words values;
-  };
-  for (const auto& [option, expected, values] : std::vector<Values>{
-           {"--threads",
-            "expected an integer in [1, 1024]",
-            {"0", "-1", "1025", "two", "1.5", "0x10", "''"}},
-           {"--max-iterations", "expected an integer in [1, 2147483647]", {"0", "2147483648"}},
-           {"--isa", "expected a value", {"''"}},
-           {"--weights", "expected a value", {"''"}}}) {
-    for (const std::string& value : values) {
-      const std::string given = value == "''" ? value : "'" + value + "'";
-      expect_rejected({2,
-                       "run thin_guo_hall in.png out.png " + option + " " + value,
-                       {option + ": " + expected + ", got " + given + "; see 'thinbench run"}});
-      expect_rejected({2,
-                       "run thin_guo_hall in.png out.png " + option + "=" + words_of(value).front(),
-                       {option}});
-    }
-  }
+  const std::string run = "run thin_guo_hall in.png out.png ";
+  const std::string threads = "--threads: expected an integer in [1, 1024], got ";
+  const std::string iterations = "--max-iterations: expected an integer in [1, 2147483647], got ";
+  expect_rejected({
+      {2, run + "--threads 0", {threads + "'0'; see 'thinbench run"}},
+      {2, run + "--threads=1025", {threads + "'1025'"}},
+      {2, run + "--threads two", {threads + "'two'"}},
+      {2, run + "--threads 1.5", {threads + "'1.5'"}},
+      {2, run + "--threads 0x10", {threads + "'0x10'"}},
+      {2, run + "--threads ''", {threads + "''"}},
+      {2, run + "--max-iterations 2147483648", {iterations + "'2147483648'"}},
+      {2, run + "--isa ''", {"--isa: expected a value, got ''"}},
+      {2, run + "--weights ''", {"--weights: expected a value, got ''"}},
+  });
 }
 
 /// Commands that read images, with their required arguments.
