@@ -181,37 +181,6 @@ TEST(DrawnGraphs, of_circles_are_cycles) {
   EXPECT_EQ(recover.count(), 60);
 }
 
-/// A circle with lines from its four outermost points to its centre and away from it, as bits of
-/// `spokes` and `tails` say.
-Drawing wheel(int radius, unsigned spokes, unsigned tails) {
-  const int middle = radius + 9;
-  Drawing drawing(2 * middle + 1, 2 * middle + 1);
-  drawing.path(circle({middle, middle}, radius));
-  for (unsigned side = 0; side < 4; ++side) {
-    const int x = side % 2 == 0 ? 1 - static_cast<int>(side) : 0;
-    const int y = side % 2 == 1 ? 2 - static_cast<int>(side) : 0;
-    const auto at = [&](int distance) {
-      return Pixel{middle + x * distance, middle + y * distance};
-    };
-    if ((spokes >> side & 1) != 0) drawing.line(at(radius), at(0));
-    if ((tails >> side & 1) != 0) drawing.line(at(radius), at(middle));
-  }
-  return drawing;
-}
-
-TEST(DrawnGraphs, of_circles_with_spokes_and_tails_are_recovered) {
-  Recovery recover;
-  for (int radius = 5; radius < 45; ++radius) {
-    for (const auto& [spokes, tails] :
-         {std::pair(0U, 1U), {0U, 0b1101U}, {0b0101U, 0U}, {0b1111U, 0b1011U}}) {
-      const Drawing drawing = wheel(radius, spokes, tails);
-      ASSERT_TRUE(drawing.is_held());
-      recover(drawing);
-    }
-  }
-  EXPECT_EQ(recover.count(), 160);
-}
-
 constexpr int kArm = 30;  // pixels
 
 /// Lines from the middle in these directions.
