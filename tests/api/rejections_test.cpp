@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "rules/trained_cluster.hpp"
+#include "support/filled_image.hpp"
 #include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
-#include "support/untouched.hpp"
 #include "thinbench/binarise.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
@@ -35,6 +35,23 @@
 
 namespace thinbench {
 namespace {
+
+/// A call must throw std::invalid_argument with one sentence that holds this part.
+void expect_rejected(const std::function<void()>& call, const std::string& part) {
+  const std::string text = rejection_of(call);
+  EXPECT_TRUE(is_one_sentence(text)) << text;
+  EXPECT_NE(text.find(part), std::string::npos) << text << ", expected: " << part;
+}
+
+/// Memory that no rejected call writes.
+class Untouched {
+ public:
+  ~Untouched() { EXPECT_TRUE(is_filled(image_.view(), 0x5A)); }
+  [[nodiscard]] std::uint8_t* data() { return image_.view().data; }
+
+ private:
+  ByteImage image_ = filled_image(64, 40, 0x5A);
+};
 
 constexpr Index kHuge = std::numeric_limits<Index>::max() / 2;
 

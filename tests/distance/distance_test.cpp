@@ -101,11 +101,6 @@ TEST(SquaredDistances, know_no_background_in_the_longest_column) {
   EXPECT_EQ(found, Numbers(pixels.size(), kNoBackground));
 }
 
-TEST(SquaredDistances, ignore_what_is_outside_the_image) {
-  const ByteImage image = image_of({"###", "###"});
-  EXPECT_EQ(distances_of(image.view()), Numbers(6, kNoBackground));
-}
-
 TEST(SquaredDistances, leave_gaps_between_rows_alone) {
   const ByteImage image = image_of({"#.", "##"});
   Numbers numbers(10, -1);

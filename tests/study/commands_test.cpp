@@ -139,7 +139,6 @@ TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
             "thinbench-study experiment quality --image spot.png --foreground dark --threshold 9");
 }
 
-
 constexpr const char* kFilter = "^euler_number/bitpacked/baseline/1/";
 
 /// A command that counts two cases.
