@@ -47,7 +47,8 @@ TEST(IterateTiles, equals_the_reference) {
   for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
   // A chunk ends at a gap within a row: rows of 125 tiles, more than 1,024 in ten of them.
   ByteImage image = squares(4000, 300, 24);
-  for (Index y = 0; y < image.height(); ++y) std::fill_n(image.view().row(y) + 1900, 400, std::uint8_t{0});
+  for (Index y = 0; y < image.height(); ++y)
+    std::fill_n(image.view().row(y) + 1900, 400, std::uint8_t{0});
   expect_equal_to_reference(image, 1);
   // A row of tiles is longer than a word, and longer than a chunk.
   expect_equal_to_reference(squares(4500, 300, 64), 1);

@@ -138,6 +138,14 @@ TEST(Overlay, objects_inside_holes_are_drawn_even_if_the_hole_is_too_small) {
   EXPECT_EQ(overlay_of(image)(40, 19), kRed);
 }
 
+TEST(Overlay, numbers_stay_in_the_image) {
+  ByteImage corner(60, 30);
+  fill(corner, {48, 0, 12, 30}, 255);
+  const cv::Mat3b overlay = overlay_of(corner);
+  EXPECT_TRUE(is_drawn(overlay, {49, 1, 10, 9}))
+      << "inside the object, because there is no space above";
+}
+
 TEST(Overlay, regions_smaller_than_a_digit_have_a_point_instead_of_a_number) {
   ByteImage plate(60, 40);
   fill(plate, {5, 15, 50, 20}, 255);

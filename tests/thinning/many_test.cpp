@@ -78,7 +78,8 @@ TEST(ThinMany, equals_thin_on_each_image_by_rules_that_remove_and_add_pixels) {
   for (int round = 0; round < 3; ++round) {
     for (const Index width : {28, 1, 150, 33, 7, 64, 65, 128, 129, 0, 20}) {
       for (const Index height : {28, 1, 33, 140, 9, 0}) {
-        list.add(noise_image(width, height, 85, 3, ++seed), seed % 3 == 0 ? 5 : 0);
+        ++seed;
+        list.add(noise_image(width, height, 85, 3, seed), seed % 3 == 0 ? 5 : 0);
       }
     }
   }
