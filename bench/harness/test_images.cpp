@@ -2,6 +2,7 @@
 
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "harness/splitmix64.hpp"
 
@@ -133,6 +134,82 @@ void generate_shapes(const TestImageSink& sink) {
   }
 }
 
+/// Whether a pixel of an image of this size is foreground.
+using Contains = bool (*)(Index x, Index y, Index width, Index height);
+
+struct Pattern {
+  const char* name;
+  Contains contains;
+};
+
+TestImage pattern(const Pattern& pattern, Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) {
+      image.at(x, y) = pattern.contains(x, y, width, height) ? kForeground : 0;
+    }
+  }
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  return {std::string(pattern.name) + " " + size, std::move(image)};
+}
+
+/// One object: a line that winds to the centre, with one pixel between its turns.
+ByteImage spiral(Index side) {
+  ByteImage image(side, side);
+  Index x = -1, y = 0, dx = 1, dy = 0;
+  for (Index length = side, turns = 0; length > 0; ++turns) {
+    for (Index i = 0; i < length; ++i) image.at(x += dx, y += dy) = kForeground;
+    if (turns == 0) {
+      length = side - 1;
+    } else if (turns % 2 == 0) {
+      length -= 2;
+    }
+    dx = -std::exchange(dy, dx);
+  }
+  return image;
+}
+
+/// Awkward for runs and for strips of rows: runs that join late, sums and coordinates that need
+/// more than 16 bits, and more regions than 16 bits number.
+void generate_patterns(const TestImageSink& sink) {
+  constexpr std::array<Pattern, 10> patterns = {{
+      {"checkerboard", [](Index x, Index y, Index, Index) { return (x + y) % 2 == 0; }},
+      {"slanted checkerboard", [](Index x, Index y, Index, Index) { return (x + y / 2) % 2 == 0; }},
+      {"slanted stripes", [](Index x, Index y, Index, Index) { return (x + y) % 3 != 0; }},
+      {"comb", [](Index x, Index y, Index, Index height) { return x % 2 == 0 || y == height - 1; }},
+      {"hanging comb", [](Index x, Index y, Index, Index) { return x % 2 == 0 || y == 0; }},
+      {"meander", [](Index x, Index y, Index,
+                     Index height) { return x % 4 == 0 || y == (x % 8 == 0 ? 0 : height - 1); }},
+      {"comb of rows",
+       [](Index x, Index y, Index width, Index) { return y % 2 == 0 || x == width - 1; }},
+      {"meander of rows", [](Index x, Index y, Index width,
+                             Index) { return y % 4 == 0 || x == (y % 8 < 4 ? 0 : width - 1); }},
+      {"bricks", [](Index x, Index y, Index, Index) { return x / 64 % 2 == y / 2 % 2; }},
+      {"gaps at ends of words",
+       [](Index x, Index y, Index, Index) { return (x + 1) % 64 > 1 || y % 3 == 0; }},
+  }};
+  for (const Index width : {1, 2, 3, 31, 63, 64, 65, 127, 128, 129, 193, 511, 512, 513, 577}) {
+    for (const Index height : {1, 2, 6, 13}) {
+      for (const Pattern& one : patterns) sink(pattern(one, width, height));
+    }
+  }
+  for (const Index side : {1, 2, 3, 5, 31, 64, 65, 130}) {
+    sink({"spiral of " + std::to_string(side), spiral(side)});
+  }
+  const Pattern frame = {"frame with a bar", [](Index x, Index y, Index width, Index height) {
+                           return x == 0 || y == 0 || x == width - 1 || y == height - 1 ||
+                                  x == width / 2;
+                         }};
+  for (const auto& [width, height] :
+       {std::pair<Index, Index>{20000, 60}, {65534, 5}, {70000, 4}, {9, 3000}}) {
+    sink(pattern(frame, width, height));
+  }
+  sink(pattern({"dots", [](Index x, Index y, Index, Index) { return x % 2 == 1 && y % 2 == 1; }},
+               701, 523));
+  sink(pattern({"lattice", [](Index x, Index y, Index, Index) { return x % 2 == 0 || y % 2 == 0; }},
+               701, 523));
+}
+
 }  // namespace
 
 ByteImage noise_image(Index width, Index height, int percent, Index granularity,
@@ -176,6 +253,7 @@ const std::vector<TestImageSet>& test_image_sets() {
       {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
       {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
       {"tiles", "tiles at rest, bands shared between threads", generate_tiles},
+      {"patterns", "runs that join late; more than 16 bits count", generate_patterns},
       {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
   };
   static const std::vector<TestImageSet> sets = [] {

@@ -44,8 +44,8 @@ struct TestImageSet {
 };
 
 /// Binary: widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every
-/// neighbourhood at every phase of a word; plain, empty and border-touching shapes; images of many
-/// tiles. Grey: see grey_image_sets.
+/// neighbourhood at every phase of a word; plain, empty and border-touching shapes; combs, spirals
+/// and lattices; images of many tiles. Grey: see grey_image_sets.
 [[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
 
 /// Grey levels `lowest` to `highest`, all equally likely. The same bytes on every machine.

@@ -31,7 +31,7 @@ struct VerifyOptions {
 };
 
 bool is_big(const TestImageSet& set) {
-  return set.name == "sizes" || set.name == "grey_noise";
+  return set.name == "sizes" || set.name == "patterns" || set.name == "grey_noise";
 }
 
 TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind kind) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -12,7 +11,6 @@
 #include "support/made_image.hpp"
 #include "support/packed_image.hpp"
 #include "support/rule_parameters.hpp"
-#include "support/untouched.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -87,36 +85,6 @@ TEST(PackedThin, takes_one_iteration_for_images_without_pixels) {
                     PackedView(nullptr, width, height, BitOrder::msb_first)),
         1);
   }
-}
-
-TEST(PackedThin, rejects_invalid_views) {
-  Untouched from, to;
-  std::uint8_t* const data = from.data();
-  constexpr BitOrder order = BitOrder::msb_first;
-  const ConstPackedView good = {data, 20, 10, order};
-  const PackedView out = {to.data(), 20, 10, order};
-  struct Case {
-    ConstPackedView source;
-    PackedView destination;
-    std::string part;
-  };
-  const Case cases[] = {
-      {{data, 20, 9, order}, out, "source is 20 x 9 and destination 20 x 10; they must have the"},
-      {{data, -1, 9, 8, order}, out, "source has the size -1 x 9"},
-      {{data, 20, 10, 2, order}, out, "source has a stride of 2 bytes; its rows of 20 pixels take"},
-      {good, {to.data(), 20, 10, 2, order}, "destination has a stride of 2 bytes; its rows of 20"},
-      {{nullptr, 20, 10, order}, out, "source has no data"},
-      {good,
-       {to.data(), 20, 10, static_cast<BitOrder>(2)},
-       "destination has the bit order 2; expected msb_first or lsb_first"},
-      {{to.data() + 1, 20, 10, order}, out, "overlap without being the same image"},
-  };
-  for (const auto& [source, destination, part] : cases) {
-    expect_rejected(
-        [&, in = source, result = destination] { thin_packed(Rule::guo_hall, in, result); }, part);
-  }
-  expect_rejected([&] { thin_packed(Rule::guo_hall, good, out, {}, {.threads = 0}); },
-                  "threads: expected an integer in [1, 1024], got 0");
 }
 
 }  // namespace

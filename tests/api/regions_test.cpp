@@ -1,11 +1,14 @@
-// fill_holes() and the Euler numbers.
+// fill_holes(), the Euler numbers and localise_objects().
 #include "thinbench/regions.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
+#include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 #include "support/text_image.hpp"
+#include "thinbench/localise.hpp"
 
 namespace thinbench {
 namespace {
@@ -56,6 +59,24 @@ TEST(FillHoles, fills_holes_up_to_an_area_without_the_objects_inside_them) {
 TEST(EulerNumber, of_one_row_takes_any_stride) {
   const std::array<std::uint8_t, 5> row = {0, 255, 0, 255, 255};
   EXPECT_EQ(euler_number({row.data(), 5, 1, PTRDIFF_MAX}), 2);
+}
+
+TEST(LocaliseObjects, are_the_regions_of_the_image_that_is_written) {
+  const ByteImage levels = grey_noise_image(41, 31, 0, 255, 5);
+  ByteImage image = image_by(203, 151, [&](Index x, Index y) { return levels.at(x / 5, y / 5); });
+  const EdgeThresholds thresholds = {60, 100};
+  const Regions expected = localise_objects(image.view(), thresholds);
+  for (const Isa isa : all_isas()) {
+    if (!isa_available(isa)) continue;
+    ByteImage objects(203, 151);
+    const Regions found = localise_objects(image.view(), thresholds, {.isa = isa}, objects.view());
+    const Regions drawn = find_regions(objects.view());
+    EXPECT_EQ(found.objects, expected.objects);
+    EXPECT_EQ(drawn.objects, expected.objects);
+    EXPECT_EQ(drawn.holes, expected.holes);
+  }
+  const Regions in_place = localise_objects(image.view(), thresholds, {}, image.view());
+  EXPECT_EQ(in_place.holes, find_regions(image.view()).holes);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// thin() and Thinner: results and chosen variants.
+// thin() and Thinner: what rules say, and chosen variants. Golden compares thin() with recorded
+// pixels.
 #include "thinbench/thinning.hpp"
 
 #include <type_traits>
@@ -10,34 +11,12 @@
 #include "support/filled_image.hpp"
 #include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/nets.hpp"
 
 namespace thinbench {
 namespace {
-
-class ThinBy : public testing::TestWithParam<RuleAndBorder> {};
-
-TEST_P(ThinBy, equals_the_reference_by_default_at_any_width) {
-  const auto& [name, rule, border] = GetParam();
-  for (const Index width : {1, 64, 510, 512, 513, 1100, 2000}) {
-    const ByteImage image = noise_image(width, 20, 95, 1, 2);
-    const Thinned expected = thinned_by_reference(rule, image, {border});
-    Thinner thinner(rule, width, 20, {border, kUnlimited});
-    for (const int threads : {1, 3}) {
-      ByteImage out(width, 20);
-      EXPECT_EQ(thin(rule, image.view(), out.view(), {border, kUnlimited}, {.threads = threads}),
-                expected.iterations);
-      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
-      EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
-      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Rules, ThinBy, all_rules_and_borders(), rule_and_border_test_name);
 
 TEST(Thin, does_what_a_rule_says_unless_told_otherwise) {
   const ByteImage image = noise_image(90, 30, 60, 3, 6);

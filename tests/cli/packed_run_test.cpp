@@ -24,12 +24,12 @@ class PackedRun : public Commands {
 };
 
 TEST_F(PackedRun, thins_pbm_in_memory) {
-  const std::string text = output_of("run thin_guo_hall in.pbm OUT.PBM --max-iterations 4");
-  const std::regex line(R"(thin_guo_hall: 1203 x 900, 4 iterations, \d+ foreground pixels before, )"
+  const std::string text = output_of("run life in.pbm OUT.PBM --max-iterations 4");
+  const std::regex line(R"(life: 1203 x 900, 4 iterations, \d+ foreground pixels before, )"
                         R"(\d+ after, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(text, line)) << text;
   EXPECT_TRUE(bytes_of("OUT.PBM") ==
-              header + bits(thinned(Rule::guo_hall, image, {.max_iterations = 4})));
+              header + bits(thinned(Rule::named("life"), image, {.max_iterations = 4})));
 }
 
 TEST_F(PackedRun, thins_raw_bits_in_both_orders) {

@@ -1,6 +1,7 @@
 // What all commands have in common.
 #include <gtest/gtest.h>
 
+#include "cli/names.hpp"
 #include "support/command_help.hpp"
 #include "support/isa_parameters.hpp"
 #include "thinbench/edges.hpp"
@@ -74,27 +75,20 @@ TEST_F(Program, rejects_unknown_words_with_the_nearest_and_missing_and_excess_on
 }
 
 TEST_F(Program, rejects_values_with_what_was_given_and_expected) {
-  struct Values {
-    std::string option, expected;
-    Words values;
-  };
-  for (const auto& [option, expected, values] : std::vector<Values>{
-           {"--threads",
-            "expected an integer in [1, 1024]",
-            {"0", "-1", "1025", "two", "1.5", "0x10", "''"}},
-           {"--max-iterations", "expected an integer in [1, 2147483647]", {"0", "2147483648"}},
-           {"--isa", "expected a value", {"''"}},
-           {"--weights", "expected a value", {"''"}}}) {
-    for (const std::string& value : values) {
-      const std::string given = value == "''" ? value : "'" + value + "'";
-      expect_rejected({2,
-                       "run thin_guo_hall in.png out.png " + option + " " + value,
-                       {option + ": " + expected + ", got " + given + "; see 'thinbench run"}});
-      expect_rejected({2,
-                       "run thin_guo_hall in.png out.png " + option + "=" + words_of(value).front(),
-                       {option}});
-    }
-  }
+  const std::string run = "run thin_guo_hall in.png out.png ";
+  const std::string threads = "--threads: expected an integer in [1, 1024], got ";
+  const std::string iterations = "--max-iterations: expected an integer in [1, 2147483647], got ";
+  expect_rejected({
+      {2, run + "--threads 0", {threads + "'0'; see 'thinbench run"}},
+      {2, run + "--threads=1025", {threads + "'1025'"}},
+      {2, run + "--threads two", {threads + "'two'"}},
+      {2, run + "--threads 1.5", {threads + "'1.5'"}},
+      {2, run + "--threads 0x10", {threads + "'0x10'"}},
+      {2, run + "--threads ''", {threads + "''"}},
+      {2, run + "--max-iterations 2147483648", {iterations + "'2147483648'"}},
+      {2, run + "--isa ''", {"--isa: expected a value, got ''"}},
+      {2, run + "--weights ''", {"--weights: expected a value, got ''"}},
+  });
 }
 
 /// Commands that read images, with their required arguments.
@@ -143,6 +137,32 @@ TEST_F(Program, isas_that_are_not_available_are_rejected_with_the_reason) {
       expect_rejected({1, command + " --isa " + std::string(isa_name(isa)), {reason}});
     }
   }
+}
+
+const std::vector<std::string_view> kKnown = {"baseline", "sse4.2", "avx2", "avx512", "avx512icl"};
+
+TEST(NearestName, tolerates_typing_errors_and_capitals) {
+  EXPECT_EQ(nearest_name("sse42", kKnown), "sse4.2");
+  EXPECT_EQ(nearest_name("AVX2", kKnown), "avx2");
+  EXPECT_EQ(nearest_name("avx512vl", kKnown), "avx512");
+  EXPECT_EQ(nearest_name("bsaeline", kKnown), "baseline");
+}
+
+TEST(NearestName, completes_a_prefix) {
+  EXPECT_EQ(nearest_name("base", kKnown), "baseline");
+  EXPECT_EQ(nearest_name("avx", kKnown), "avx2");
+}
+
+TEST(NearestName, is_empty_for_a_different_word) {
+  EXPECT_EQ(nearest_name("neon", kKnown), std::nullopt);
+  EXPECT_EQ(nearest_name("", kKnown), std::nullopt);
+  EXPECT_EQ(nearest_name("avx2", {}), std::nullopt);
+}
+
+TEST(Enumeration, joins_words_with_commas_and_and) {
+  EXPECT_EQ(enumeration({}), "");
+  EXPECT_EQ(enumeration({"a"}), "a");
+  EXPECT_EQ(enumeration({"a", "b", "c"}), "a, b and c");
 }
 
 }  // namespace

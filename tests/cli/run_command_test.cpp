@@ -53,15 +53,28 @@ TEST_F(RunCommand, writes_the_skeleton_and_prints_one_line) {
   EXPECT_EQ(names(), (Names{"in.png", "out.png", "weights.json"}));
 }
 
-TEST_F(RunCommand, threshold_and_foreground_select_the_objects) {
-  run("--threshold 60 --foreground bright");
-  expect_skeleton(bright(60));
-  expect_holds(run("--threshold 180 --foreground dark").err, "% of the image is foreground");
-  expect_skeleton(mapped(bars(), [](int level) { return level < 180; }));
-}
-
-TEST_F(RunCommand, uses_otsus_threshold_and_the_likely_foreground_by_default) {
-  expect_holds(run().err, "foreground is bright (grey level >= 61)");
+TEST_F(RunCommand, options_have_the_meaning_of_the_library) {
+  struct Case {
+    std::string options, out, err;
+    ByteImage objects;
+    Thinning thinning = {};
+  };
+  const Case cases[] = {
+      {"--threshold 60 --foreground bright", "", "", bright(60)},
+      {"--threshold 180 --foreground dark", "", "% of the image is foreground",
+       mapped(bars(), [](int level) { return level < 180; })},
+      {"", "", "foreground is bright (grey level >= 61)", bright(61)},  // Otsu's threshold
+      {"--max-iterations 2", ", 2 iterations, ", "", bright(61), {.max_iterations = 2}},
+      {"--border keep", "", "", bright(61), {.border = Border::keep}},
+      {"--isa baseline --threads 3", "", "", bright(61)}};
+  for (const auto& [options, out, err, objects, thinning] : cases) {
+    SCOPED_TRACE(options);
+    const ProgramRun result = run(options);
+    expect_holds(result.out, out);
+    expect_holds(result.err, err);
+    expect_skeleton(objects, thinning);
+  }
+  output_of("run net_single_layer_cluster in.png out.png --weights weights.json");
   expect_skeleton(bright(61));
 }
 
@@ -71,16 +84,6 @@ TEST_F(RunCommand, skeleton_is_read_as_foreground) {
   EXPECT_EQ(typed("run thin_guo_hall out.png out.png").err, "");
   EXPECT_GT(foreground_pixels(skeleton.view()), 0);
   expect_image("out.png", skeleton);
-}
-
-TEST_F(RunCommand, max_iterations_limits_the_iterations) {
-  expect_holds(run("--max-iterations 2").out, ", 2 iterations, ");
-  expect_skeleton(bright(61), {.max_iterations = 2});
-}
-
-TEST_F(RunCommand, isa_and_threads_do_not_change_the_skeleton) {
-  run("--isa baseline --threads 3");
-  expect_skeleton(bright(61));
 }
 
 TEST_F(RunCommand, may_overwrite_its_input) {
@@ -98,11 +101,6 @@ TEST_F(RunCommand, directions_select_those_of_the_scan) {
   expect_image("out.png", expected);
   output_of("run skeleton_scan in.png out.png --directions columns");
   EXPECT_FALSE(equal(read_grey("out.png").view(), expected.view()));
-}
-
-TEST_F(RunCommand, weights_from_a_file_make_the_net) {
-  output_of("run net_single_layer_cluster in.png out.png --weights weights.json");
-  expect_skeleton(bright(61));
 }
 
 TEST_F(RunCommand, a_file_of_several_pages_is_not_replaced_by_one_page) {

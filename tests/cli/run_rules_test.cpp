@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "noise_image.hpp"
-#include "support/packed_image.hpp"
 #include "thinbench/midpoint_scan.hpp"
 #include "thinbench/rule_notation.hpp"
 
@@ -27,6 +26,8 @@ TEST_F(RunRules, every_kind_of_rule_is_applied_and_prints_its_name) {
   const Case cases[] = {
       {"majority", "majority", applied(Rule::named("majority"))},
       {"guo_hall", "thin_guo_hall", applied(Rule::guo_hall)},
+      {"zhang_suen --border foreground", "thin_zhang_suen",
+       applied(Rule::zhang_suen, {.border = Border::foreground})},
       {"B3/S23 --max-iterations 5", "B3/S23", applied(kLife, {.max_iterations = 5})},
       {"b2-as12 --max-iterations 1", "b2-as12",
        applied(Rule(table_from_hensel("B2-a/S12")), {.max_iterations = 1})},
@@ -48,24 +49,6 @@ TEST_F(RunRules, every_kind_of_rule_is_applied_and_prints_its_name) {
   EXPECT_EQ(names(), (Names{"in.png", "out.png", "plain", "two.json"}));
 }
 
-TEST_F(RunRules, every_border_applies_to_rules_of_every_kind) {
-  for (const std::string name : {"thin_zhang_suen", "net_two_layer_linear", "thin_mb2"}) {
-    run(name);
-    expect_image("out.png", applied(Rule::named(name)));
-    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
-      const std::string words = name + " --border " + std::string(border_name(border));
-      if (border == Border::foreground && Rule::named(name).sub_iterations().empty()) {
-        expect_rejected({2,
-                         "run " + words + " in.png no.png",
-                         {name + ": border: expected background or keep, got foreground"}});
-        continue;
-      }
-      run(words);
-      expect_image("out.png", applied(Rule::named(name), {.border = border}));
-    }
-  }
-}
-
 TEST_F(RunRules, the_scan_has_the_border_background_or_keep) {
   for (const Border border : {Border::background, Border::keep}) {
     ByteImage expected = noise();
@@ -78,17 +61,6 @@ TEST_F(RunRules, the_scan_has_the_border_background_or_keep) {
                    {"skeleton_scan: border: expected background or keep, got foreground"}});
 }
 
-TEST_F(RunRules, packed_files_take_every_rule) {
-  const auto packed = [&](const ByteImage& image) {
-    return "P4 203 70\n" + raw_bytes(PackedImage(image.view(), BitOrder::msb_first));
-  };
-  put("in.pbm", packed(noise()));
-  output_of("run majority in.pbm out.pbm");
-  EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("majority"))));
-  output_of("run golay_l in.pbm out.pbm");
-  EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("golay_l"))));
-}
-
 TEST_F(RunRules, names_notations_and_files_that_are_no_rules_are_rejected) {
   const std::string limit =
       ": this rule adds and removes pixels, so it may never end; it needs a limit";
@@ -98,7 +70,6 @@ TEST_F(RunRules, names_notations_and_files_that_are_no_rules_are_rejected) {
   fs::resize_file("huge.json", std::uintmax_t{1} << 30);
   expect_rejected({
       {2, "run majorty in.png out.png", {"'majorty'; did you mean 'majority'?"}},
-      {2, "run bridg in.png out.png", {"'bridg'; did you mean 'bridge'?"}},
       {2, "run wxyz in.png out.png", {"'wxyz'; known: skeleton_scan, thin_naccache_shinghal, "}},
       {2, "run B9/S23 in.png out.png", {"'B9/S23', column 2", "digit from 0 to 8, got '9'"}},
       {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},

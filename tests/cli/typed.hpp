@@ -15,16 +15,6 @@
 
 namespace thinbench {
 
-using Words = std::vector<std::string>;
-
-/// The words of a line; '' is an empty word.
-inline Words words_of(const std::string& line) {
-  std::istringstream text(line);
-  Words words;
-  for (std::string word; text >> word;) words.push_back(word == "''" ? "" : word);
-  return words;
-}
-
 inline ProgramRun typed(const std::string& line) {
   return captured_run(thinbench_program(), words_of(line));
 }

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/rejection.hpp"
-
 namespace thinbench::detail {
 namespace {
 
@@ -69,20 +67,6 @@ TEST(ChooseVariant, takes_the_requested_isa_or_the_next_lower_one) {
     EXPECT_EQ(chosen(std::move(all), 5, {.isa = highest}), isa_name(highest));
     EXPECT_EQ(chosen(slow_fast_and_narrow(), 5, {.isa = highest}), "narrow");
   }
-}
-
-TEST(ChooseVariant, rejects_threads_out_of_range) {
-  for (const int threads : {0, kMaxThreads + 1}) {
-    EXPECT_EQ(rejection_of([&] { chosen(slow_fast_and_narrow(), 5, {.threads = threads}); }),
-              "threads: expected an integer in [1, 1024], got " + std::to_string(threads));
-  }
-}
-
-TEST(ChooseVariant, rejects_an_isa_that_the_machine_lacks) {
-  const Isa isa = cpu_supports(Isa::avx2) ? Isa::neon_sha3 : Isa::avx2;
-  EXPECT_EQ(rejection_of([&] { chosen(slow_fast_and_narrow(), 5, {.isa = isa}); }),
-            "isa: " + std::string(isa_name(isa)) + " is not available: this machine lacks " +
-                missing_features(isa));
 }
 
 TEST(VariantList, ranks_every_variant_of_a_later_isa_above_all_of_an_earlier_one) {

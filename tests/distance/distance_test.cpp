@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "reference.hpp"
-#include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "support/variant_of.hpp"
 
@@ -102,11 +101,6 @@ TEST(SquaredDistances, know_no_background_in_the_longest_column) {
   EXPECT_EQ(found, Numbers(pixels.size(), kNoBackground));
 }
 
-TEST(SquaredDistances, ignore_what_is_outside_the_image) {
-  const ByteImage image = image_of({"###", "###"});
-  EXPECT_EQ(distances_of(image.view()), Numbers(6, kNoBackground));
-}
-
 TEST(SquaredDistances, leave_gaps_between_rows_alone) {
   const ByteImage image = image_of({"#.", "##"});
   Numbers numbers(10, -1);
@@ -166,36 +160,6 @@ TEST(Distances, without_background_are_infinite) {
   const std::vector<double> infinite(40, std::numeric_limits<double>::infinity());
   EXPECT_EQ(distances_with({}, {pixels.data(), 40, 1}), infinite);
   EXPECT_EQ(distances_with({2, 1}, {pixels.data(), 5, 8}), infinite);
-}
-
-TEST(Distances, reject_unsuitable_arguments) {
-  const std::vector<std::uint8_t> pixels(6);
-  std::vector<double> found(6);
-  const auto rejected = [&](const View<double>& to, const Spacing& spacing) {
-    return rejection_of([&] { distances({pixels.data(), 3, 2}, to, spacing); });
-  };
-  EXPECT_EQ(rejected({found.data(), 3, 2}, {1, -1}),
-            "spacing: expected numbers from 1e-30 to 1e30, got -1");
-  EXPECT_EQ(rejected({found.data(), 2, 2}, {}),
-            "source is 3 x 2 and distances 2 x 2; they must have the same size");
-}
-
-TEST(SquaredDistances, reject_unsuitable_arguments) {
-  const std::vector<std::uint8_t> pixels(kMaxDistanceSide + 1);
-  Numbers numbers(pixels.size());
-  const auto rejected = [&](const ConstImageView& source, const LabelView& distances,
-                            const Execution& execution = {}) {
-    return rejection_of([&] { squared_distances(source, distances, execution); });
-  };
-  EXPECT_EQ(
-      rejected({pixels.data(), kMaxDistanceSide + 1, 1}, {numbers.data(), kMaxDistanceSide + 1, 1}),
-      "image size 32768 x 1 has a side above 32767 pixels, the limit for distances");
-  EXPECT_EQ(
-      rejected({pixels.data(), 1, kMaxDistanceSide + 1}, {numbers.data(), 1, kMaxDistanceSide + 1}),
-      "image size 1 x 32768 has a side above 32767 pixels, the limit for distances");
-  EXPECT_EQ(rejected({pixels.data(), 3, 2}, {numbers.data(), 3, 2}, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_NE(rejected({pixels.data(), 3, 2}, {numbers.data(), 2, 3}), "");
 }
 
 }  // namespace

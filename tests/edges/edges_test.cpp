@@ -1,4 +1,4 @@
-// Thresholds, the image border, packed edges and the preferred variants.
+// Thresholds, packed edges and the preferred variants. opencv_test.cpp checks the references.
 #include "thinbench/edges.hpp"
 
 #include <algorithm>
@@ -18,15 +18,6 @@ namespace {
 using detail::EdgeOperation;
 using detail::study::edge_operations;
 
-/// A vertical step: 0 left of `column`, `height` from there on.
-ByteImage step_image(Index column, std::uint8_t height) {
-  ByteImage image(80, 12);
-  for (Index y = 0; y < 12; ++y) {
-    for (Index x = column; x < 80; ++x) image.at(x, y) = height;
-  }
-  return image;
-}
-
 TEST(EdgeThresholds, every_variant_equals_its_reference_at_extreme_thresholds) {
   const ByteImage image = grey_noise_image(199, 41, 0, 255, 3);
   for (const EdgeOperation& edges : edge_operations()) {
@@ -42,36 +33,6 @@ TEST(EdgeThresholds, every_variant_equals_its_reference_at_extreme_thresholds) {
             << operation.name << " " << variant.technique << " " << isa_name(variant.isa);
       }
     }
-  }
-}
-
-TEST(EdgeThresholds, gradient_of_a_vertical_step_is_its_height) {
-  for (const EdgeOperation& operation : edge_operations()) {
-    const ByteImage image = step_image(40, 100);
-    ByteImage out(80, 12);
-    detect_edges(operation.key, image.view(), out.view(), {99, 0});
-    EXPECT_EQ(out.at(39, 6), 255) << operation.name;
-    detect_edges(operation.key, image.view(), out.view(), {100, 0});
-    for (Index x = 0; x < 80; ++x) EXPECT_EQ(out.at(x, 6), 0) << operation.name << " " << x;
-  }
-}
-
-TEST(EdgeThresholds, brightness_threshold_requires_a_brighter_pixel_in_the_window) {
-  const ByteImage image = step_image(40, 100);
-  ByteImage out(80, 12);
-  detect_edges(EdgeOperator::sobel, image.view(), out.view(), {10, 99});
-  EXPECT_EQ(out.at(39, 6), 255);
-  EXPECT_EQ(out.at(40, 6), 255);
-  detect_edges(EdgeOperator::sobel, image.view(), out.view(), {10, 100});
-  EXPECT_EQ(out.at(39, 6), 0);
-}
-
-TEST(EdgeBorder, constant_image_has_no_edge_at_the_image_border) {
-  for (const EdgeOperation& operation : edge_operations()) {
-    const ByteImage image = step_image(0, 255);
-    ByteImage out = grey_noise_image(80, 12, 0, 255, 1);
-    detect_edges(operation.key, image.view(), out.view(), {0, 0});
-    EXPECT_TRUE(equal(out.view(), ByteImage(80, 12).view())) << operation.name;
   }
 }
 

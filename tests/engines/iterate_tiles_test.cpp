@@ -1,5 +1,7 @@
 #include "engines/iterate_tiles.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/packing.hpp"
@@ -26,10 +28,11 @@ ByteImage squares(Index width, Index height, Index side) {
   });
 }
 
-/// Compares tiles with the reference for a rule on 3 x 3 pixels and one on 5 x 5 pixels.
+/// Compares tiles with the reference for rules on 3 x 3 pixels, of two and of four sub-iterations,
+/// and one on 5 x 5 pixels.
 void expect_equal_to_reference(const ByteImage& image, int threads) {
   ByteImage by_tiles(image.width(), image.height());
-  for (const BuiltInRule rule : {Rule::guo_hall, Rule::mb2}) {
+  for (const BuiltInRule rule : {Rule::guo_hall, Rule::spta_directional, Rule::mb2}) {
     for (const Border border : {Border::background, Border::keep}) {
       const Thinned expected = thinned_by_reference(rule, image, {border});
       EXPECT_EQ(thin_by_tiles(rule, image, by_tiles, threads, border), expected.iterations);
@@ -39,30 +42,23 @@ void expect_equal_to_reference(const ByteImage& image, int threads) {
   }
 }
 
-TEST(IterateTiles, equals_the_reference_if_tiles_are_written_during_the_scan) {
+TEST(IterateTiles, equals_the_reference) {
+  // Tiles are written during the scan.
   for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
-}
-
-TEST(IterateTiles, equals_the_reference_if_a_chunk_ends_at_a_gap_within_a_row) {
-  ByteImage image = squares(4000, 300, 24);  // rows of 125 tiles, more than 1,024 in ten of them
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 1900; x < 2300; ++x) image.at(x, y) = 0;
-  }
+  // A chunk ends at a gap within a row: rows of 125 tiles, more than 1,024 in ten of them.
+  ByteImage image = squares(4000, 300, 24);
+  for (Index y = 0; y < image.height(); ++y)
+    std::fill_n(image.view().row(y) + 1900, 400, std::uint8_t{0});
   expect_equal_to_reference(image, 1);
-}
-
-TEST(IterateTiles, equals_the_reference_if_a_row_of_tiles_is_longer_than_a_word_or_a_chunk) {
-  expect_equal_to_reference(squares(4500, 300, 64), 1);  // several words of tiles per row
+  // A row of tiles is longer than a word, and longer than a chunk.
+  expect_equal_to_reference(squares(4500, 300, 64), 1);
   expect_equal_to_reference(squares(40000, 70, 26), 1);
 }
 
 TEST(IterateTiles, equals_the_reference_on_several_threads) {
-  const ByteImage image = squares(2000, 2400, 24);  // more than 7 x 256 tiles, enough for 7 threads
-  for (const int threads : {2, 7}) expect_equal_to_reference(image, threads);
-}
-
-TEST(IterateTiles, equals_the_reference_if_one_of_many_threads_works_alone) {
-  expect_equal_to_reference(noise_image(64, 16000, 88, 1, 3), 7);  // too few tiles for 7 threads
+  // More than 7 x 256 tiles are enough for 7 threads; with fewer one works alone.
+  for (const int threads : {2, 7}) expect_equal_to_reference(squares(2000, 2400, 24), threads);
+  expect_equal_to_reference(noise_image(64, 16000, 88, 1, 3), 7);
 }
 
 TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
@@ -76,17 +72,6 @@ TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
     ByteImage in_place = copy_of(image.view());
     thin_by_tiles(Rule::zhang_suen, in_place, in_place, threads);
     EXPECT_TRUE(equal(in_place.view(), by_words.view())) << threads << " threads";
-  }
-}
-
-TEST(IterateTiles, several_threads_equal_one_for_a_rule_with_four_sub_iterations) {
-  const ByteImage image = squares(2000, 1200, 90);
-  ByteImage one(2000, 1200);
-  ByteImage many(2000, 1200);
-  for (const int threads : {2, 3, 7}) {
-    const int iterations = thin_by_tiles(Rule::spta_directional, image, one);
-    EXPECT_EQ(iterations, thin_by_tiles(Rule::spta_directional, image, many, threads));
-    EXPECT_TRUE(equal(one.view(), many.view())) << threads << " threads";
   }
 }
 

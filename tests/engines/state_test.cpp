@@ -18,43 +18,6 @@ namespace {
 constexpr Index kWidth = 133;
 constexpr Index kHeight = 41;
 
-/// Calls `check(state, name)` for a new state of every available variant of every rule, with every
-/// border.
-template <class Check>
-void for_each_state(const Check& check) {
-  for (const RuleAndBorder& tested : rules_and_borders()) {
-    thinbench::for_each_state(thinning_parameters(tested.rule, {.border = tested.border}), kWidth,
-                              kHeight, 2, [&](ThinningState& state, const std::string& name) {
-                                check(state, testing::PrintToString(tested) + " by " + name);
-                              });
-  }
-}
-
-ByteImage noise(std::uint64_t seed) {
-  return noise_image(kWidth, kHeight, 95, 1, seed);
-}
-
-TEST(ThinningState, can_run_again) {
-  const ByteImage image = noise(6);
-  for_each_state([&](ThinningState& state, const std::string& name) {
-    ByteImage first(kWidth, kHeight), second(kWidth, kHeight);
-    const int iterations = state.run(image.view(), first.view());
-    EXPECT_EQ(state.run(image.view(), second.view()), iterations) << name;
-    EXPECT_TRUE(equal(first.view(), second.view())) << name;
-  });
-}
-
-TEST(ThinningState, works_in_place) {
-  const ByteImage image = noise(8);
-  for_each_state([&](ThinningState& state, const std::string& name) {
-    ByteImage elsewhere(kWidth, kHeight);
-    state.run(image.view(), elsewhere.view());
-    ByteImage in_place = copy_of(image.view());
-    state.run(in_place.view(), in_place.view());
-    EXPECT_TRUE(equal(elsewhere.view(), in_place.view())) << name;
-  });
-}
-
 /// Whether the margins of the state's planes of T are zero; true if it has none.
 template <class T>
 bool margins_are_zero(ThinningState& state) {
@@ -65,15 +28,19 @@ bool margins_are_zero(ThinningState& state) {
 }
 
 TEST(ThinningState, margins_of_planes_remain_zero) {
-  const ByteImage image = noise(9);
+  const ByteImage image = noise_image(kWidth, kHeight, 95, 1, 9);
   const ByteImage full = filled_image(kWidth, kHeight, 255);
   ByteImage result(kWidth, kHeight);
-  for_each_state([&](ThinningState& state, const std::string& name) {
-    state.run(full.view(), result.view());
-    state.run(image.view(), result.view());
-    EXPECT_TRUE(margins_are_zero<std::uint8_t>(state)) << name;
-    EXPECT_TRUE(margins_are_zero<std::uint64_t>(state)) << name;
-  });
+  for (const RuleAndBorder& tested : rules_and_borders()) {
+    for_each_state(
+        thinning_parameters(tested.rule, {.border = tested.border}), kWidth, kHeight, 2,
+        [&](ThinningState& state, const std::string& name) {
+          state.run(full.view(), result.view());
+          state.run(image.view(), result.view());
+          EXPECT_TRUE(margins_are_zero<std::uint8_t>(state)) << tested.name << ' ' << name;
+          EXPECT_TRUE(margins_are_zero<std::uint64_t>(state)) << tested.name << ' ' << name;
+        });
+  }
 }
 
 TEST(MakeState, rejects_images_wider_than_the_limit_of_the_variant) {

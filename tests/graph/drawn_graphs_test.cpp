@@ -86,39 +86,6 @@ class Recovery {
   int count_ = 0;
 };
 
-/// Lines of a grid; those of an open one go on beyond the last crossing.
-Drawing grid(int columns, int rows, int spacing, bool is_open) {
-  const int margin = is_open ? 1 : 0;
-  const int width = columns - 1 + 2 * margin;
-  const int height = rows - 1 + 2 * margin;
-  Drawing drawing(width * spacing + 1, height * spacing + 1);
-  for (int y = margin; y <= height - margin; ++y) {
-    for (int x = 0; x < width; ++x)
-      drawing.line({x * spacing, y * spacing}, {(x + 1) * spacing, y * spacing});
-  }
-  for (int x = margin; x <= width - margin; ++x) {
-    for (int y = 0; y < height; ++y)
-      drawing.line({x * spacing, y * spacing}, {x * spacing, (y + 1) * spacing});
-  }
-  return drawing;
-}
-
-TEST(DrawnGraphs, of_grids_are_recovered) {
-  Recovery recover;
-  for (int columns = 2; columns <= 6; ++columns) {
-    for (int rows = 2; rows <= 6; ++rows) {
-      for (const int spacing : {2, 3, 7}) {
-        for (const bool is_open : {false, true}) {
-          const Drawing drawing = grid(columns, rows, spacing, is_open);
-          ASSERT_TRUE(drawing.is_held());
-          recover(drawing);
-        }
-      }
-    }
-  }
-  EXPECT_EQ(recover.count(), 150);
-}
-
 /// Points of a grid, and some of the lines between them.
 Drawing maze(int spacing, std::mt19937& random) {
   constexpr int columns = 9;
@@ -212,37 +179,6 @@ TEST(DrawnGraphs, of_circles_are_cycles) {
     recover(drawing);
   }
   EXPECT_EQ(recover.count(), 60);
-}
-
-/// A circle with lines from its four outermost points to its centre and away from it, as bits of
-/// `spokes` and `tails` say.
-Drawing wheel(int radius, unsigned spokes, unsigned tails) {
-  const int middle = radius + 9;
-  Drawing drawing(2 * middle + 1, 2 * middle + 1);
-  drawing.path(circle({middle, middle}, radius));
-  for (unsigned side = 0; side < 4; ++side) {
-    const int x = side % 2 == 0 ? 1 - static_cast<int>(side) : 0;
-    const int y = side % 2 == 1 ? 2 - static_cast<int>(side) : 0;
-    const auto at = [&](int distance) {
-      return Pixel{middle + x * distance, middle + y * distance};
-    };
-    if ((spokes >> side & 1) != 0) drawing.line(at(radius), at(0));
-    if ((tails >> side & 1) != 0) drawing.line(at(radius), at(middle));
-  }
-  return drawing;
-}
-
-TEST(DrawnGraphs, of_circles_with_spokes_and_tails_are_recovered) {
-  Recovery recover;
-  for (int radius = 5; radius < 45; ++radius) {
-    for (const auto& [spokes, tails] :
-         {std::pair(0U, 1U), {0U, 0b1101U}, {0b0101U, 0U}, {0b1111U, 0b1011U}}) {
-      const Drawing drawing = wheel(radius, spokes, tails);
-      ASSERT_TRUE(drawing.is_held());
-      recover(drawing);
-    }
-  }
-  EXPECT_EQ(recover.count(), 160);
 }
 
 constexpr int kArm = 30;  // pixels

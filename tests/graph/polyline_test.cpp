@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "graph.hpp"
-#include "support/rejection.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -88,18 +86,6 @@ TEST(Polyline, equals_the_plain_method_on_square_waves) {
   }
 }
 
-TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
-  const Graph graph = skeleton_graph(image_of({"#.....#",  //
-                                               ".#...#.",  //
-                                               "..#.#..",  //
-                                               "...#..."})
-                                         .view());
-  const Line points = points_of(graph, graph.edges.at(0));
-  EXPECT_EQ(polyline(points, 1), (Line{{0, 0}, {3, 3}, {6, 0}}));
-  EXPECT_EQ(polyline(points, 3), (Line{{0, 0}, {6, 0}}));
-  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
-}
-
 TEST(Polyline, measures_from_lines_of_one_step_too) {
   const Line points = {{0, 0}, {4, 0}, {1, 0}};
   EXPECT_EQ(polyline(points, 3), (Line{{0, 0}, {1, 0}}));
@@ -115,10 +101,6 @@ TEST(Polyline, of_straight_lines_has_two_points_without_any_tolerance) {
     ASSERT_EQ(polyline(row, 0).size(), 2U);
     ASSERT_EQ(polyline(diagonal, 0).size(), 2U);
   }
-}
-
-TEST(Polyline, of_no_points_is_empty) {
-  EXPECT_EQ(polyline({}, 1), Line());
 }
 
 TEST(Polyline, takes_points_as_far_apart_as_numbers_allow) {
@@ -150,6 +132,7 @@ TEST(Polyline, has_the_length_of_its_straight_lines) {
   EXPECT_DOUBLE_EQ(length_of(points), 10);
   EXPECT_DOUBLE_EQ(length_of(points, {.x = 4, .y = 1.25}), 26);
   EXPECT_EQ(length_of(Line{}), 0);
+  EXPECT_EQ(polyline({}, 1), Line());
 }
 
 }  // namespace

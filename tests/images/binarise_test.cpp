@@ -103,38 +103,6 @@ TEST(Binarise, channels_of_a_colour_are_its_samples_their_sum_by_weight_and_how_
   }
 }
 
-/// By definition: farther than `offset` on one side of the mean of a window cut off at the border.
-bool deviates(const ByteImage& grey, Index x, Index y, Index reach, int offset, int sign) {
-  std::int64_t sum = 0;
-  std::int64_t pixels = 0;
-  for (Index v = std::max<Index>(0, y - reach); v <= std::min(y + reach, grey.height() - 1); ++v) {
-    for (Index u = std::max<Index>(0, x - reach); u <= std::min(x + reach, grey.width() - 1); ++u) {
-      sum += grey.at(u, v);
-      ++pixels;
-    }
-  }
-  return sign * (grey.at(x, y) * pixels - sum) > offset * pixels;
-}
-
-TEST(Binarise, local_foreground_deviates_from_the_mean_of_its_window) {
-  constexpr int kOffset = 20;
-  const ByteImage grey = grey_noise_image(37, 23, 0, 255, 3);
-  ByteImage found(37, 23);
-  for (const int window : {3, 7, 21, 41, 101}) {
-    for (const auto& [foreground, sign] :
-         {std::pair(Foreground::bright, 1), {Foreground::dark, -1}}) {
-      binarise(grey.view(), found.view(),
-               {.foreground = foreground, .local = LocalThreshold{window, kOffset}});
-      for (Index y = 0; y < 23; ++y) {
-        for (Index x = 0; x < 37; ++x) {
-          const bool expected = deviates(grey, x, y, window / 2, kOffset, sign);
-          ASSERT_EQ(found.at(x, y), expected ? 255 : 0) << window << " at " << x << ", " << y;
-        }
-      }
-    }
-  }
-}
-
 TEST(Binarise, default_window_is_an_eighth_of_the_smaller_side_odd_and_at_least_15) {
   for (const auto& [width, height, window] :
        {std::array<Index, 3>{40, 30, 15}, {136, 900, 17}, {900, 400, 51}}) {

@@ -56,18 +56,6 @@ TEST(OutlinedObjects, contour_with_a_gap_encloses_nothing) {
   EXPECT_EQ(text_of(packed_objects(contours)), text_of(contours));
 }
 
-TEST(OutlinedObjects, equal_the_reference_on_noise) {
-  std::uint64_t seed = 1;
-  for (const Index width : {1, 5, 63, 64, 65, 130, 300}) {
-    for (const int percent : {20, 40, 50, 60, 75}) {
-      for (const int size : {1, 4}) {
-        const ByteImage contours = noise_image(width, 90, percent, size, seed++);
-        EXPECT_TRUE(equal(packed_objects(contours).view(), reference_objects(contours).view()));
-      }
-    }
-  }
-}
-
 double distance(const Region& region, const ScenePoint& centre) {
   return std::hypot(region.centre_x() - centre.x, region.centre_y() - centre.y);
 }

@@ -24,7 +24,7 @@ class SelectRows : public testing::Test {
   std::vector<TimedInput> inputs = timed_inputs({});
 };
 
-TEST_F(SelectRows, rows_that_differ_from_the_reference_are_omitted_and_reported) {
+TEST_F(SelectRows, rows_that_differ_from_the_reference_or_cannot_run_are_omitted_and_reported) {
   const Selection selection = select_rows({}, operations, inputs);
   EXPECT_EQ(names_of(selection.rows), (Names{"copy/reference/baseline/1/end_to_end/scene",
                                              "copy/good/baseline/1/end_to_end/scene"}));
@@ -32,10 +32,6 @@ TEST_F(SelectRows, rows_that_differ_from_the_reference_are_omitted_and_reported)
   EXPECT_EQ(selection.mismatches[0].find("copy/bad/baseline/1/scene: pixel (0, 0) is 255"), 0U)
       << selection.mismatches[0];
   EXPECT_EQ(selection.verified, 1);
-}
-
-TEST_F(SelectRows, rows_that_cannot_run_are_listed_with_the_reason) {
-  const Selection selection = select_rows({}, operations, inputs);
   ASSERT_EQ(selection.skipped.size(), 1U);
   EXPECT_EQ(selection.skipped[0].name, "copy/absent/baseline/1/scene");
   EXPECT_EQ(selection.skipped[0].reason, "this machine lacks it");
@@ -145,11 +141,6 @@ TEST_F(SelectRows, cases_without_a_peer_are_selected_where_the_filter_spells_the
             (Cases{"holes", "thin_mb2:keep"}));
   EXPECT_EQ(cases_of("^net_two_layer_linear:keep:1/lut/baseline/1/end_to_end", inputs),
             (Cases{"net_two_layer_linear:keep:1"}));
-}
-
-TEST_F(SelectRows, rejects_malformed_filters) {
-  EXPECT_THROW(static_cast<void>(select_rows({.filter = "("}, operations, inputs)),
-               std::invalid_argument);
 }
 
 TEST_F(SelectRows, why_there_is_no_row_is_explained) {

@@ -36,8 +36,8 @@ CORE = "core_test -Isa*"  # those tests need every ISA
 COMPILE = "compile_test -ThoroughSearch*"
 GOLDEN = "golden_test *outputs_equal*"
 ITERATE = "engines_test *Iterate*:*Tile*:*State*-*threads*"
-SIZES = "thinning_test *at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background"
-SOME_TABLES = "engines_test *RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*:SmallImages*"
+SIZES = "engines_test *at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background"
+SOME_TABLES = "engines_test *RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*"
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN, SIZES)
 API = "api_test -Sizes.thin_*"  # without those that take gigabytes
 SOME_IMAGES = " THINBENCH_CROSSCHECK_EVERY=7"  # all take ten minutes
@@ -66,7 +66,9 @@ FAMILIES = (
            ("images_test", API)),
     Family("edges", ("edges/*",),
            ("edges_test", "localise_test", crosscheck("edges_*"), GOLDEN), (API,)),
-    Family("regions", ("regions/*",), ("regions_test", GOLDEN, "localise_test"),
+    Family("regions", ("regions/*",),
+           ("regions_test", crosscheck("components", "fill_holes*", "holes", "label_*", images="patterns"), GOLDEN,
+            "localise_test"),
            (crosscheck("components", "euler_number*", "fill_holes", "holes", "label_*"), API)),
     Family("localise", ("localise/*",), ("localise_test", crosscheck("localise_*"), GOLDEN), (API,)),
     Family("distance", ("distance/*",), ("distance_test", crosscheck("squared_distances", images="sh*")),

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/thinning.hpp"
@@ -26,16 +25,6 @@ const TextImage kRooms = {"#######.#######",  //
                           "###############",  //
                           "###############",  //
                           "#######.#######"};
-
-TEST(FindPath, goes_along_a_corridor) {
-  const ByteImage corridor = image_of({".........",  //
-                                       "#########",  //
-                                       "........."});
-  const FoundPath path = find_path(corridor.view(), {{0, 1}, {8, 1}}).value();
-  EXPECT_EQ(path.pixels.size(), 9U);
-  EXPECT_DOUBLE_EQ(path.length, 8);
-  EXPECT_DOUBLE_EQ(path.min_width, 2);
-}
 
 TEST(FindPath, of_a_wide_robot_leads_through_the_wide_door) {
   const ByteImage rooms = image_of(kRooms);
@@ -196,40 +185,8 @@ TEST(FindPath, has_the_lowest_cost_in_random_maps) {
   }
 }
 
-TEST(FindPath, does_not_slip_between_obstacles_that_touch_at_corners) {
-  const ByteImage corners = image_of({"#.", ".#"});
-  EXPECT_FALSE(find_path(corners.view(), {{0, 0}, {1, 1}}));
-}
-
-TEST(FindPath, of_a_diagonal_step_has_the_room_in_its_middle) {
-  const ByteImage corner = image_of({"###",  //
-                                     "##.",  //
-                                     "###"});
-  EXPECT_DOUBLE_EQ(find_path(corner.view(), {{1, 1}, {2, 0}}).value().min_width, std::sqrt(2.0));
-  EXPECT_DOUBLE_EQ(find_path(corner.view(), {{1, 1}, {2, 0}, 2}).value().length, 2);
-}
-
 TEST(FindPath, is_nothing_where_there_is_none) {
   EXPECT_FALSE(find_path(image_of(kRooms).view(), {{3, 4}, {11, 4}, 5}));
-  EXPECT_FALSE(find_path(image_of({"#.#"}).view(), {{0, 0}, {2, 0}, 1}));
-}
-
-TEST(FindPath, rejects_places_without_room_with_the_reason) {
-  const ByteImage rooms = image_of(kRooms);
-  const auto rejected = [&](const PathRequest& request) {
-    return rejection_of([&] { static_cast<void>(find_path(rooms.view(), request)); });
-  };
-  EXPECT_EQ(rejected({{15, 0}, {0, 0}}),
-            "start: row 0, column 15 is outside the map of 15 x 8 pixels");
-  EXPECT_EQ(rejected({{0, 0}, {7, 0}}), "goal: row 0, column 7 is inside an obstacle");
-  EXPECT_EQ(rejected({{6, 0}, {0, 0}, 3}),
-            "start: at row 0, column 6 there is room for a width of 2, not of 3");
-  EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
-  EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
-            "width: expected a finite number from 0 up, got inf");
-  const ConstImageView negative = {rooms.view().data, -1, 8, 15};
-  EXPECT_EQ(rejection_of([&] { static_cast<void>(find_path(negative, {})); }),
-            "source has the size -1 x 8");
 }
 
 }  // namespace

@@ -44,15 +44,6 @@ TEST_P(Repetition, keeps_the_border_on_request) {
   }
 }
 
-TEST_P(Repetition, keeping_the_border_leaves_images_without_inner_pixels_unchanged) {
-  for (const ByteImage& image : images()) {
-    if (image.width() > 2 && image.height() > 2) continue;
-    const Thinned result = thinned_by_reference(GetParam(), image, {Border::keep});
-    EXPECT_TRUE(equal(result.image.view(), image.view()));
-    EXPECT_EQ(result.iterations, 1);
-  }
-}
-
 TEST_P(Repetition, keeping_the_border_does_nothing_where_it_is_background) {
   for (const ByteImage& image : images()) {
     const ByteImage inner = image_by(image.width(), image.height(), [&](Index x, Index y) {

@@ -7,7 +7,6 @@
 
 #include "holes.hpp"
 #include "support/label_image.hpp"
-#include "support/rejection.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -77,29 +76,18 @@ TEST(FillHolesOfLabels, equals_the_reference) {
   }
 }
 
-TEST(FillHolesOfLabels, fills_holes_of_labels_that_touch) {
-  EXPECT_EQ(filled({"111222", "1.12.2", "111222"}), (TextImage{"111222", "111222", "111222"}));
-}
-
-TEST(FillHolesOfLabels, leaves_what_labels_enclose_only_together) {
-  const TextImage halves = {"1122", "1..2", "1122"};
-  EXPECT_EQ(filled(halves), halves);
-  EXPECT_EQ(filled({"333333", "3....3", "3.12.3", "31..23", "3.12.3", "3....3", "333333"}),
-            (TextImage{"333333", "333333", "331233", "313323", "331233", "333333", "333333"}))
-      << "but for a label around them";
-}
-
-TEST(FillHolesOfLabels, gives_the_label_of_the_innermost_hole) {
-  EXPECT_EQ(
-      filled({"1111111", "1.....1", "1.222.1", "1.2.2.1", "1.222.1", "1.....1", "1111111"}),
-      (TextImage{"1111111", "1111111", "1122211", "1122211", "1122211", "1111111", "1111111"}));
-  EXPECT_EQ(filled({"22222", "21112", "21.12", "21112", "22222"}),
-            (TextImage{"22222", "21112", "21112", "21112", "22222"}))
-      << "of rings that touch";
-}
-
-TEST(FillHolesOfLabels, keeps_the_pixels_of_labels_in_holes) {
-  EXPECT_EQ(filled({"1111", "1231", "1.31", "1111"}), (TextImage{"1111", "1231", "1131", "1111"}));
+TEST(FillHolesOfLabels, of_images_worked_by_hand_are_those_of_the_innermost_label_around_them) {
+  const std::pair<TextImage, TextImage> images[] = {
+      {{"111222", "1.12.2", "111222"}, {"111222", "111222", "111222"}},
+      {{"1122", "1..2", "1122"}, {"1122", "1..2", "1122"}},
+      {{"333333", "3....3", "3.12.3", "31..23", "3.12.3", "3....3", "333333"},
+       {"333333", "333333", "331233", "313323", "331233", "333333", "333333"}},
+      {{"1111111", "1.....1", "1.222.1", "1.2.2.1", "1.222.1", "1.....1", "1111111"},
+       {"1111111", "1111111", "1122211", "1122211", "1122211", "1111111", "1111111"}},
+      {{"22222", "21112", "21.12", "21112", "22222"},
+       {"22222", "21112", "21112", "21112", "22222"}},
+      {{"1111", "1231", "1.31", "1111"}, {"1111", "1231", "1131", "1111"}}};
+  for (const auto& [image, expected] : images) EXPECT_EQ(filled(image), expected);
 }
 
 TEST(FillHolesOfLabels, depends_on_the_connectivity_of_labels) {
@@ -124,23 +112,6 @@ TEST(FillHolesOfLabels, takes_strides_and_images_without_pixels) {
   EXPECT_EQ(std::count(out.begin(), out.end(), -7), 6);
   fill_holes_of_labels({nullptr, 5, 0}, {nullptr, 5, 0});
   fill_holes_of_labels({nullptr, 0, 5}, {nullptr, 0, 5});
-}
-
-TEST(FillHolesOfLabels, rejects_what_does_not_fit) {
-  LabelImage image = labels_of({"11", "11"});
-  const auto rejected = [&](const LabelView& to, Connectivity connectivity, std::int64_t area,
-                            const Execution& execution = {}) {
-    return rejection_of([&] {
-      fill_holes_of_labels(image.view(), to, {connectivity, area}, execution);
-    });
-  };
-  EXPECT_EQ(rejected(image.view(), Connectivity::eight, -1),
-            "max_area: expected at least 0, got -1");
-  EXPECT_EQ(rejected(image.view(), static_cast<Connectivity>(6), 1),
-            "connectivity: expected 4 or 8, got 6");
-  EXPECT_EQ(rejected(image.view(), Connectivity::four, 1, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_NE(rejected({image.labels.data() + 1, 2, 1}, Connectivity::four, 1), "");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -69,18 +68,6 @@ TEST(LabelValues, takes_any_value_and_stride) {
       label_values({values.data(), 2, 2, 3}, {labels.data(), 2, 2, 4}, Connectivity::eight, -1),
       2U);
   EXPECT_EQ(labels, (Values{1, 2, -7, -7, 1, 0, -7, -7}));
-}
-
-TEST(LabelValues, rejects_other_connectivities_and_images_that_share_bytes) {
-  Values values(6, 1);
-  const LabelView view(values.data(), 3, 2);
-  Values labels(6);
-  EXPECT_THROW(label_values(view, view, Connectivity::eight), std::invalid_argument);
-  EXPECT_THROW(label_values(view, {labels.data(), 2, 2}, Connectivity::eight),
-               std::invalid_argument);
-  EXPECT_THROW(label_values(view, {labels.data(), 3, 2}, Connectivity{6}), std::invalid_argument);
-  EXPECT_THROW(label_values(view, {labels.data(), 3, 2}, Connectivity::four, 0, {.threads = 0}),
-               std::invalid_argument);
 }
 
 }  // namespace

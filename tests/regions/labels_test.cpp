@@ -1,5 +1,4 @@
-// Label images: the order of OpenCV, and what is rejected. Crosscheck compares all else with the
-// references.
+// Label images: the order of OpenCV. Crosscheck compares all else with the references.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -72,22 +71,6 @@ TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
 TEST(Labels, of_images_without_pixels_are_empty) {
   EXPECT_TRUE(label_regions({nullptr, 0, 5}, {nullptr, 0, 5}).objects.empty());
   EXPECT_TRUE(label_objects({nullptr, 5, 0}, {nullptr, 5, 0}, Connectivity::four).empty());
-}
-
-TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
-  const ByteImage image(8, 8);
-  LabelImage labels = unwritten(image.view());
-  const LabelView view = labels.view();
-  EXPECT_THROW(label_regions(image.view(), {view.data, 7, 8}), std::invalid_argument);
-  EXPECT_THROW(label_regions(image.view(), {view.data, 8, 8, 7}), std::invalid_argument);
-  EXPECT_THROW(label_regions(image.view(), {nullptr, 8, 8}), std::invalid_argument);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(view.data);
-  EXPECT_THROW(label_regions({bytes, 8, 8}, view), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(label_objects(image.view(), view, static_cast<Connectivity>(6))),
-               std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(label_image(image.view(), view, static_cast<Connectivity>(6))),
-               std::invalid_argument);
-  EXPECT_EQ(labels.labels, unwritten(image.view()).labels);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The relabelling scan as published: its count of holes, and when that count is wrong.
+// The references on hand-worked images: objects and holes, and the relabelling scan as published,
+// with its count of holes and when that count is wrong.
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,21 @@
 
 namespace thinbench {
 namespace {
+
+TEST(Holes, of_plates_are_numbered_by_their_first_pixels_and_have_areas_centres_and_boxes) {
+  const ByteImage image =
+      image_of({".........###", ".#######.#.#", ".#.##..#.###", ".####..#....",  //
+                ".#######...."});
+  const reference::Regions found = reference::holes(image.view());
+  ASSERT_EQ(found.objects.size(), 2U);
+  EXPECT_EQ(found.objects[1], (Region{23, 88, 58, 1, 1, 7, 4, 0}));
+  ASSERT_EQ(found.holes.size(), 3U);
+  EXPECT_EQ(found.holes[0], (Region{1, 10, 1, 10, 1, 10, 1, 1}));
+  EXPECT_EQ(found.holes[1], (Region{1, 2, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(found.holes[2], (Region{4, 22, 10, 5, 2, 6, 3, 2}));
+  EXPECT_EQ(found.holes[2].centre_x(), 5.5);
+  EXPECT_EQ(found.holes[2].centre_y(), 2.5);
+}
 
 struct Scanned {
   ByteImage levels;
@@ -54,12 +70,6 @@ TEST(HolesLiteral, released_level_raises_all_lower_levels) {
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.levels.at(4, 0), 253);
   EXPECT_EQ(scanned.count.flag, 253);
-}
-
-TEST(HolesLiteral, image_without_foreground_has_no_contours_and_no_holes) {
-  const Scanned scanned = scan(ByteImage(7, 5));
-  EXPECT_EQ(scanned.count.contours(), 0);
-  EXPECT_EQ(scanned.count.holes(), 0);
 }
 
 /// Isolated foreground pixels in a row.

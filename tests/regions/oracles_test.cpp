@@ -1,7 +1,6 @@
-// Oracles that share no code with the kernels: Euler's formula, OpenCV, the scene's ground truth.
+// Oracles that share no code with the kernels: Euler's formula and OpenCV.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -146,39 +145,6 @@ TEST(HolesOracle, opencv_gives_each_hole_the_same_enclosing_object) {
   std::sort(actual.begin(), actual.end());
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(actual, expected);
-}
-
-/// The maximum distance of a hole's centre from the truth; -1 if holes or enclosing objects differ.
-double max_centre_error(const SceneOptions& options) {
-  const Scene scene = render_scene(options);
-  const Regions found = find_regions(scene.binary.view());
-  if (found.holes.size() != scene.holes.size()) return -1;
-  double max_error = 0;
-  for (std::size_t i = 0; i < found.holes.size(); ++i) {
-    const Region& hole = found.holes[i];
-    if (static_cast<int>(hole.enclosing_object) != scene.holes[i].part) return -1;
-    max_error = std::max(max_error, std::hypot(hole.centre_x() - scene.holes[i].centre.x,
-                                               hole.centre_y() - scene.holes[i].centre.y));
-  }
-  return max_error;
-}
-
-// At larger scales thresholding alone moves the centre of a square by up to half a pixel, because
-// whole rows and columns change class.
-TEST(HolesOracle, centres_of_holes_of_the_clean_scene_are_within_a_quarter_pixel) {
-  for (const bool illumination : {false, true}) {
-    const double max_error = max_centre_error({.noise_sigma_16 = 0, .illumination = illumination});
-    EXPECT_GE(max_error, 0);
-    EXPECT_LE(max_error, 0.25);
-  }
-}
-
-TEST(HolesOracle, centres_of_holes_of_the_noisy_scene_are_within_half_a_pixel) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const double max_error = max_centre_error({.seed = seed});
-    EXPECT_GE(max_error, 0) << seed;
-    EXPECT_LE(max_error, 0.5) << seed;
-  }
 }
 
 }  // namespace

@@ -60,5 +60,37 @@ TEST(FillState, fills_holes_up_to_an_area) {
   }
 }
 
+/// Large enough for non-temporal stores, whose lines are joined across rows.
+TEST(LabelStates, write_the_same_at_every_stride_and_address_and_nothing_beside) {
+  constexpr Index width = 1101, height = 1003;
+  constexpr std::int32_t kUnwritten = -9;
+  const ByteImage image = noise_image(width, height, 45, 5, 3);
+  std::vector<std::int32_t> expected(std::size_t{width * height});
+  const LabelView tight(expected.data(), width, height);
+  Regions lists;
+  for (const LabelOperation& operation : label_operations()) {
+    const LabelParameters parameters = {operation.key};
+    make_state(operation.variants.front(), width, height, parameters, 1)
+        ->run(image.view(), tight, lists);
+    for (const auto& variant : operation.variants) {
+      if (!unavailable_reason(variant, width).empty()) continue;
+      const auto state = make_state(variant, width, height, parameters, 1);
+      for (const Index extra : {0, 1, 3, 16, 25}) {
+        const auto stride = width + extra;
+        std::vector<std::int32_t> found(std::size_t(stride * height + 32), kUnwritten);
+        const LabelView view(found.data() + 16 - extra % 16, width, height, stride);
+        state->run(image.view(), view, lists);
+        std::size_t written = 0;
+        for (const std::int32_t label : found) written += label != kUnwritten ? 1 : 0;
+        ASSERT_EQ(written, expected.size()) << operation.name << ' ' << isa_name(variant.isa);
+        for (Index y = 0; y < height; ++y) {
+          ASSERT_TRUE(std::equal(tight.row(y), tight.row(y) + width, view.row(y)))
+              << operation.name << ' ' << isa_name(variant.isa) << " row " << y << " + " << extra;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thinbench::detail

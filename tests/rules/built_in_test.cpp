@@ -8,7 +8,6 @@
 
 #include "compile/gate_network.hpp"
 #include "compile/rule_body.hpp"
-#include "rules/all_neighbourhoods.hpp"
 #include "rules/parallel_rules.hpp"
 #include "rules/rule_table.hpp"
 
@@ -35,6 +34,12 @@ TEST(NaccacheShinghal, circuit_equals_the_keep_table_and_keeps_176_descriptors) 
     kept += kTable[256 + k];
   }
   EXPECT_EQ(kept, 176);
+}
+
+/// Neighbourhoods 64 * word to 64 * word + 63, one per bit. Bit i of a number is n_i, bit 8 is p.
+Neighbourhood<std::uint64_t> neighbourhoods_of_word(int word) {
+  const auto input = [word](int variable) { return counting_pattern(variable, word); };
+  return {input(8), input(0), input(1), input(2), input(3), input(4), input(5), input(6), input(7)};
 }
 
 /// The neighbourhood in bit `bit` of every word.

@@ -1,11 +1,9 @@
-#include <sstream>
-
 #include <gtest/gtest.h>
 
 #include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/isa_cap.hpp"
-#include "support/temporary_directory.hpp"
+#include "support/own_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -15,13 +13,6 @@ struct Rejected {
   int status;
   std::string said;
 };
-
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word == "''" ? "" : word);
-  return words;
-}
 
 const std::vector<Rejected> kRejected = {
     {"train", 2,
@@ -82,19 +73,17 @@ const std::vector<Rejected> kRejected = {
     {"scene a.xyz", 2, "cannot write 'a.xyz'"},
 };
 
-TEST(StudyProgram, rejects_what_cannot_be_in_one_line_and_writes_nothing) {
+using StudyProgram = OwnDirectory;
+
+TEST_F(StudyProgram, rejects_what_cannot_be_in_one_line_and_writes_nothing) {
   const IsaCap cap("baseline");
   if (!cap.is_in_force()) GTEST_SKIP() << kCapWasRead;
-  const TemporaryDirectory directory;
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(directory.file(""));
   write_grey("a.png", ByteImage(9, 9).view());
   for (const Rejected& one : kRejected) {
     const std::string text = failure_of(words_of(one.line), one.status);
     EXPECT_NE(text.find(one.said), std::string::npos) << one.line << ": " << text;
-    EXPECT_EQ(directory.names(), std::set<std::string>{"a.png"}) << one.line;
+    EXPECT_EQ(names(), Names{"a.png"}) << one.line;
   }
-  std::filesystem::current_path(before);
 }
 
 }  // namespace

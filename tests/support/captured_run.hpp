@@ -10,6 +10,16 @@
 
 namespace thinbench {
 
+using Words = std::vector<std::string>;
+
+/// The words of a line; '' is an empty word.
+inline Words words_of(const std::string& line) {
+  std::istringstream text(line);
+  Words words;
+  for (std::string word; text >> word;) words.push_back(word == "''" ? "" : word);
+  return words;
+}
+
 struct ProgramRun {
   int status;
   std::string out;

@@ -10,8 +10,6 @@
 
 namespace thinbench {
 
-using Words = std::vector<std::string>;
-
 /// The subcommands that the help of a command lists.
 inline Words commands_below(const ProgramInfo& program, Words words) {
   words.emplace_back("--help");

@@ -10,6 +10,7 @@
 
 #include "support/own_directory.hpp"
 #include "support/rejection.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -43,6 +44,13 @@ TEST_F(FileBytesTest, beyond_a_limit_is_rejected_before_it_is_read) {
   EXPECT_EQ(error_of("a"), "cannot read 'a': it has more than 5 bytes");
   EXPECT_EQ(rejection_of<FileError>([&] { static_cast<void>(read_file("a", 1'000'000)); }),
             "cannot read 'a': it has more than 1,000,000 bytes");
+}
+
+TEST(ExtensionOf, is_in_lower_case_whatever_the_name_has) {
+  EXPECT_EQ(extension_of("page.tif"), ".tif");
+  EXPECT_EQ(extension_of("SCANS.D/PAGE.TIFF"), ".tiff");
+  EXPECT_EQ(extension_of("a.b.Pbm"), ".pbm");
+  EXPECT_EQ(extension_of("scans.d/page"), "");
 }
 
 }  // namespace

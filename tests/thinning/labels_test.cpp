@@ -1,4 +1,4 @@
-// thin_labels(): borders, strides, rejected arguments. The operations labels_... of the cross-check
+// thin_labels(): borders and strides. The operations labels_... of the cross-check
 // compare each label alone with the reference.
 #include "thinbench/labels.hpp"
 
@@ -10,10 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
-#include "support/rule_parameters.hpp"
-#include "support/untouched.hpp"
 
 namespace thinbench {
 namespace {
@@ -95,63 +92,6 @@ TEST(ThinLabels, takes_no_iteration_without_labels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
     EXPECT_EQ(thin_labels(Rule::mb2, {nullptr, width, height}, {nullptr, width, height}), 0);
   }
-}
-
-TEST(ThinLabels, rejects_invalid_arguments_and_writes_nothing) {
-  constexpr Index smallest = std::numeric_limits<Index>::min();
-  LabelImage image = noise_labels(40, 20, 90, 10, 10);
-  LabelImage result = {40, 20};
-  std::int32_t* const data = image.labels.data();
-  std::int32_t* const out = result.labels.data();
-  const auto expect_labels_rejected = [](const ConstLabelView& source, const LabelView& destination,
-                                         const std::string& part, const Thinning& thinning = {},
-                                         const Execution& execution = {}) {
-    expect_rejected([&] { thin_labels(Rule::guo_hall, source, destination, thinning, execution); },
-                    part);
-  };
-  struct Case {
-    ConstLabelView source;
-    LabelView destination;
-    std::string part;
-  };
-  const Case cases[] = {
-      {{data, -1, 20}, result.view(), "image size -1 x 20 is negative"},
-      {{data, 1 << 16, 1 << 16}, result.view(), "image size 65536 x 65536 is larger than 2^31"},
-      {{data, 39, 20, 43}, result.view(), "source is 39 x 20 and destination 40 x 20; they must"},
-      {{nullptr, 40, 20}, result.view(), "source has no data"},
-      {{data, 40, 20, 39}, result.view(), "source has a stride of 39, below its width of 40"},
-      {{data, 40, 20, PTRDIFF_MAX / 3}, result.view(), "source exceeds the address space: 40 x 20"},
-      {{data, 0, 1, smallest},
-       {data, 0, 1, 1},
-       "source has a stride of -9223372036854775808, below"},
-      {{data, 0, 1, 1}, {data, 0, 1, smallest}, "destination has a stride of -9223372036854775808"},
-      {{out + 1, 40, 19, 43}, {out, 40, 19, 43}, "overlap without being the same image"}};
-  for (const auto& [source, destination, part] : cases) {
-    expect_labels_rejected(source, destination, part);
-  }
-  expect_labels_rejected(image.view(), result.view(), "threads: expected", {}, {.threads = 0});
-  expect_labels_rejected(image.view(), result.view(), "got 0", {.max_iterations = 0});
-  image.at(7, 19) = -3;
-  expect_labels_rejected(image.view(), result.view(),
-                         "labels: expected 0 or more, got -3 in row 19, column 7");
-  EXPECT_EQ(result.labels, (LabelImage{40, 20}.labels));
-}
-
-TEST(ThinLabels, rejects_rules_that_add_pixels_and_foreground_outside) {
-  LabelImage image = noise_labels(40, 20, 90, 10, 10);
-  LabelImage result = {40, 20};
-  const auto expect_rule_rejected = [&](const Rule& rule, Border border, const char* part) {
-    expect_rejected([&] { thin_labels(rule, image.view(), result.view(), {border}); }, part);
-  };
-  for (const auto& [name, rule, border] : rules_and_borders()) {
-    if (border != Border::foreground && !detail::body_of(rule)->adds_pixels()) continue;
-    expect_rule_rejected(rule, border, "");
-  }
-  expect_rule_rejected(Rule::named("life"), Border::background,
-                       "life adds pixels, which would belong to no label; apply it to an image");
-  expect_rule_rejected(Rule::guo_hall, Border::foreground,
-                       "border: expected background or keep for labels, got foreground");
-  EXPECT_EQ(result.labels, (LabelImage{40, 20}.labels));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/rejection.hpp"
 #include "support/temporary_directory.hpp"
 #include "training/cluster.hpp"
 
@@ -42,21 +41,6 @@ TEST(ClusterTraining, weights_decide_as_the_rule) {
     const Rule rule = Rule::naccache_shinghal;
     EXPECT_EQ(net.sub_iterations().front(), rule.sub_iterations().front());
   }
-}
-
-TEST(ClusterTraining, small_integers_are_no_larger_than_three) {
-  for (const TrainedRun& run : trained(true)) {
-    EXPECT_LE(std::abs(run.neuron.bias), 3);
-    for (const int weight : run.neuron.weight) EXPECT_LE(std::abs(weight), 3);
-  }
-}
-
-TEST(ClusterTraining, fewer_nets_than_needed_are_rejected_with_the_number) {
-  EXPECT_NO_THROW((void)train_cluster(keep_table_of_rule(), {12, false}));
-  EXPECT_EQ(rejection_of<std::runtime_error>([] {
-              (void)train_cluster(keep_table_of_rule(), {11, false});
-            }),
-            "the rule needs 12 nets; --max-nets allows 11");
 }
 
 TEST(ClusterTraining, the_committed_header_is_what_training_makes) {
