@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PRESETS = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
 # Commands that build by the preset of another, or by none: mutants copies the sources.
-OTHER_PRESETS = {"fuzz": "asan", "soak": "release", "cpus": "release", "mutants": None}
+OTHER_PRESETS = {"fuzz": "asan", "soak": "release", "cpus": "release", "tidy": "clang", "mutants": None}
 NEEDED = {"aarch64": "/usr/lib/aarch64-linux-gnu/libtbb.so", "clang-19": "/usr/bin/clang++-19",
           "s390x": "/usr/lib/s390x-linux-gnu/libtbb.so", "libcxx": "/usr/lib/llvm-19/include/c++/v1/vector",
           "web": "/usr/bin/em++", "windows": "/usr/bin/x86_64-w64-mingw32-g++-posix"}
