@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
-#include "harness/case_json.hpp"
 #include "machine/machine.hpp"
+#include "measure/known_rows.hpp"
 
 namespace thinbench {
 namespace {
@@ -19,25 +19,11 @@ std::string processor_level() {
   return std::string(isa_name(highest));
 }
 
-Json input_json(const TimedInput& input) {
-  return {{"name", input.name},
-          {"width", input.width()},
-          {"height", input.height()},
-          {"hash", pixel_hash(input.binary.view())},
-          {"grey_hash", pixel_hash(input.grey.view())}};
-}
-
-Json row_json(const RowCount& count) {
+Json count_json(const RowCount& count) {
   const TimedRow& row = *count.row;
   Json json = {{"row", row.name}};
-  json.update(case_json<Json>(*row.operation));
-  json.update({{"technique", row.variant->technique},
-               {"isa", row.variant->isa_label()},
-               {"threads", row.threads},
-               {"scope", scope_name(row.scope)},
-               {"input", row.input->name},
-               {"instructions", count.instructions},
-               {"method", method_name(count.method)}});
+  json.update(row_json(row));
+  json.update({{"instructions", count.instructions}, {"method", method_name(count.method)}});
   if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
   return json;
 }
@@ -59,7 +45,7 @@ Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t
                    {"build", build_json()},      {"valgrind", counts.callgrind.version},
                    {"input", input_json(input)}, {"rows", Json::array()},
                    {"skipped", Json::array()},   {"max_steps", max_steps}};
-  for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
+  for (const RowCount& count : counts.rows) document["rows"].push_back(count_json(count));
   for (const SkippedRow& row : counts.skipped) {
     document["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
   }

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <iterator>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,65 +25,30 @@
 namespace thinbench {
 namespace {
 
-using Json = nlohmann::json;
-
 [[noreturn]] void throw_errno(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// What the child says: {} where the call takes too many steps.
-Json answer_of(const TimedRow& row, std::uint64_t max_steps) {
-  Json answer = Json::object();
+/// What the child says, in memory that it shares.
+struct Answer {
+  std::optional<std::uint64_t> instructions;  // none where the call takes too many steps
+  std::array<char, 1000> why_not{};           // empty where it could be counted
+};
+
+void count_in_child(const TimedRow& row, std::uint64_t max_steps, Answer& answer) {
   try {
     with_warm_call(row, [&](const CountedCall& call) {
-      if (const auto count = instructions_of(call, max_steps)) answer["instructions"] = *count;
+      answer.instructions = instructions_of(call, max_steps);
     });
   } catch (const std::exception& error) {
-    answer = {{"why_not", error.what()}};
+    std::snprintf(answer.why_not.data(), answer.why_not.size(), "%s", error.what());
   }
-  return answer;
-}
-
-int write_to(int pipe_end, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = write(pipe_end, text.data() + done, text.size() - done);
-    if (written <= 0) return 1;
-    done += static_cast<std::size_t>(written);
-  }
-  return 0;
-}
-
-std::string read_from(int pipe_end) {
-  std::string text;
-  std::array<char, 4096> more{};
-  for (ssize_t got = 0; (got = read(pipe_end, more.data(), more.size())) > 0;) {
-    text.append(more.data(), static_cast<std::size_t>(got));
-  }
-  return text;
 }
 
 std::string end_of(int status) {
-  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
-  return "status " + std::to_string(WEXITSTATUS(status));
-}
-
-/// The child ends without the destructors and buffers of the parent, whose copies these are.
-Json answer_of_child(const TimedRow& row, std::uint64_t max_steps) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw_errno("no pipe");
-  const pid_t child = fork();
-  if (child < 0) throw_errno("no process to count in");
-  if (child == 0) _exit(write_to(ends[1], answer_of(row, max_steps).dump()));
-  close(ends[1]);
-  Json answer = Json::parse(read_from(ends[0]), nullptr, false);
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  const bool has_ended = answer.is_object() && status == 0;
-  const std::string why_not = has_ended ? answer.value("why_not", "")
-                                        : "the process that counts ended with " + end_of(status);
-  if (why_not.empty()) return answer;
-  throw std::runtime_error("instructions of " + row.name + " cannot be counted: " + why_not);
+  return "the process that counts ended with " +
+         (WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
+                              : "status " + std::to_string(WEXITSTATUS(status)));
 }
 
 /// Whether a call takes so many cycles that its steps need not be tried. The bound is far: a row
@@ -149,10 +116,25 @@ Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, Callgrind
 
 }  // namespace
 
+/// The child ends without the destructors and buffers of the parent, whose copies these are.
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Json answer = answer_of_child(row, max_steps);
-  if (answer.empty()) return std::nullopt;
-  return answer.at("instructions").get<std::uint64_t>();
+  void* const memory =
+      mmap(nullptr, sizeof(Answer), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw_errno("no memory to count in");
+  auto* const shared = new (memory) Answer;
+  const pid_t child = fork();
+  if (child < 0) throw_errno("no process to count in");
+  if (child == 0) {
+    count_in_child(row, max_steps, *shared);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  const Answer answer = *shared;
+  munmap(memory, sizeof(Answer));
+  const std::string why_not = status == 0 ? answer.why_not.data() : end_of(status);
+  if (why_not.empty()) return answer.instructions;
+  throw std::runtime_error("instructions of " + row.name + " cannot be counted: " + why_not);
 }
 
 RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {

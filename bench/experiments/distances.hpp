@@ -14,10 +14,9 @@ class Distances {
  public:
   explicit Distances(const ConstImageView& marked)
       : width_(marked.width), squared_(static_cast<std::size_t>(marked.width * marked.height)) {
-    ByteImage others(marked.width, marked.height);
-    for (Index y = 0; y < marked.height; ++y) {
-      for (Index x = 0; x < width_; ++x) others.at(x, y) = marked.row(y)[x] == 0 ? 1 : 0;
-    }
+    const ByteImage others = image_by(marked.width, marked.height, [&](Index x, Index y) {
+      return marked.row(y)[x] == 0 ? 1 : 0;
+    });
     squared_distances(others.view(), {squared_.data(), width_, marked.height});
   }
 

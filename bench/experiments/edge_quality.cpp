@@ -86,22 +86,21 @@ Json measure(const EdgeOperatorInfo& info, int sigma, const EdgeThresholds& thre
 }  // namespace
 
 TrueContours true_contours(const ConstImageView& binary) {
-  TrueContours contours{ByteImage(binary.width, binary.height),
-                        ByteImage(binary.width, binary.height)};
   const auto differs = [&](Index x, Index y, Index other_x, Index other_y) {
     const bool inside =
         other_x >= 0 && other_y >= 0 && other_x < binary.width && other_y < binary.height;
     return inside && binary.row(y)[x] != binary.row(other_y)[other_x];
   };
-  for (Index y = 0; y < binary.height; ++y) {
-    for (Index x = 0; x < binary.width; ++x) {
-      const bool contour = differs(x, y, x - 1, y) || differs(x, y, x + 1, y) ||
-                           differs(x, y, x, y - 1) || differs(x, y, x, y + 1);
-      contours.both_sides.at(x, y) = contour ? 255 : 0;
-      contours.inner.at(x, y) = contour && binary.row(y)[x] != 0 ? 255 : 0;
-    }
-  }
-  return contours;
+  const auto is_contour = [&](Index x, Index y) {
+    return differs(x, y, x - 1, y) || differs(x, y, x + 1, y) || differs(x, y, x, y - 1) ||
+           differs(x, y, x, y + 1);
+  };
+  const auto pixels = [&](const auto& is_marked) {
+    return image_by(binary.width, binary.height,
+                    [&](Index x, Index y) { return is_marked(x, y) ? 255 : 0; });
+  };
+  return {pixels(is_contour),
+          pixels([&](Index x, Index y) { return binary.row(y)[x] != 0 && is_contour(x, y); })};
 }
 
 EdgeQuality quality_of(const TrueContours& contours, const ConstImageView& edges) {

@@ -8,6 +8,7 @@
 #include "experiments/experiments.hpp"
 #include "holes.hpp"
 #include "scene/scene.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -19,13 +20,9 @@ constexpr int kMaxHoles = 40;
 
 /// A plate with holes of one pixel in a row, `wall` pixels from its border and from each other.
 ByteImage plate_with_holes(Index holes, Index wall) {
-  ByteImage image(wall + holes * (wall + 1), 2 * wall + 1);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      image.at(x, y) = y == wall && x % (wall + 1) == wall ? 0 : 255;
-    }
-  }
-  return image;
+  return image_by(wall + holes * (wall + 1), 2 * wall + 1, [wall](Index x, Index y) {
+    return y == wall && x % (wall + 1) == wall ? 0 : 255;
+  });
 }
 
 /// What the scan counts on a binary image; none where it runs out of grey levels.
@@ -75,20 +72,17 @@ Json row_of_plates(int wall) {
   for (int holes = 0; holes <= kMaxHoles; ++holes) {
     plates.enter(plate_with_holes(holes, wall).view());
   }
-  return plates.row(fmt::format("one plate, 0 to {} holes, walls of {} pixel{}", kMaxHoles, wall,
-                                wall == 1 ? "" : "s"));
+  return plates.row(
+      fmt::format("one plate, 0 to {} holes, walls of {}", kMaxHoles, counted(wall, "pixel")));
 }
 
 /// Plates one below the other, `kWall` pixels apart.
 ByteImage several_plates(Index plates, Index holes) {
   const ByteImage plate = plate_with_holes(holes, kWall);
   const Index pitch = plate.height() + kWall;
-  ByteImage image(plate.width(), plates * pitch);
-  for (Index y = 0; y < image.height(); ++y) {
-    if (y % pitch >= plate.height()) continue;
-    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = plate.at(x, y % pitch);
-  }
-  return image;
+  return image_by(plate.width(), plates * pitch, [&](Index x, Index y) {
+    return y % pitch < plate.height() ? plate.at(x, y % pitch) : 0;
+  });
 }
 
 Json row_of_several_plates() {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/json_field.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -63,7 +64,7 @@ ExperimentReport report_of(const std::string& name, const std::string& caption, 
     const Json rows = rows_in(value);
     if (!rows.is_null()) markdown.append("\n").append(table_of(rows));
   }
-  return {json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", markdown};
+  return {json_text(json), markdown};
 }
 
 }  // namespace thinbench

@@ -55,11 +55,8 @@ class DistanceMap {
 
  private:
   static ByteImage background_of(const ConstImageView& image) {
-    ByteImage background = padded(image);
-    for (Index y = 0; y < background.height(); ++y) {
-      for (Index x = 0; x < background.width(); ++x) background.at(x, y) ^= 1;
-    }
-    return background;
+    const ByteImage all = padded(image);
+    return image_by(all.width(), all.height(), [&](Index x, Index y) { return 1 - all.at(x, y); });
   }
 
   Index width_;
@@ -99,13 +96,9 @@ SkeletonShape shape_of(const ConstImageView& skeleton) {
 
 ByteImage medial_axis_of(const ConstImageView& image) {
   const DistanceMap map(image);
-  ByteImage axis(image.width, image.height);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) {
-      axis.at(x, y) = image.row(y)[x] != 0 && !rises_steeply(map, x, y) ? 255 : 0;
-    }
-  }
-  return axis;
+  return image_by(image.width, image.height, [&](Index x, Index y) {
+    return image.row(y)[x] != 0 && !rises_steeply(map, x, y) ? 255 : 0;
+  });
 }
 
 AxisDistance distance_from(const ConstImageView& axis, const ConstImageView& skeleton) {
@@ -138,11 +131,8 @@ double overlap(const ConstImageView& a, const ConstImageView& b) {
 }
 
 ByteImage rotated_by_quarter(const ConstImageView& image) {
-  ByteImage result(image.height, image.width);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) result.at(y, image.width - 1 - x) = image.row(y)[x];
-  }
-  return result;
+  return image_by(image.height, image.width,
+                  [&](Index x, Index y) { return image.row(x)[image.width - 1 - y]; });
 }
 
 }  // namespace thinbench

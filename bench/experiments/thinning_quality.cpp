@@ -110,13 +110,8 @@ int foreground_round(const ByteImage& noise, Index x, Index y) {
 ByteImage blobs(Index width, Index height, std::uint64_t seed) {
   constexpr int most = (2 * kBlobReach + 1) * (2 * kBlobReach + 1) / 2;
   const ByteImage noise = noise_image(width, height, 50, 1, seed);
-  ByteImage result(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      result.at(x, y) = foreground_round(noise, x, y) > most ? 255 : 0;
-    }
-  }
-  return result;
+  return image_by(width, height,
+                  [&](Index x, Index y) { return foreground_round(noise, x, y) > most ? 255 : 0; });
 }
 
 std::vector<QualityInput> quality_inputs(const std::vector<std::string>& images,

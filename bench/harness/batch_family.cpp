@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <memory>
 #include <utility>
 
 #include "core/exported.hpp"
 #include "engines/lanes.hpp"
-#include "harness/families.hpp"
+#include "harness/library_operation.hpp"
 #include "reference.hpp"
 #include "scan/built_in.hpp"
-#include "techniques/variants.hpp"
 #include "thinbench/many.hpp"
 
 namespace thinbench {
@@ -31,35 +30,26 @@ Stack stack_in(const View& all) {
   return {all.data, count, all.width, all.width, all.stride, all.width * all.stride};
 }
 
-/// Of the images in an input of this size; 0 where there are none, so that no memory is allocated.
-Index side_of(Index width, Index height) {
-  return height >= width ? width : 0;
+/// Jobs that call `thin(source, destination)`, which `make_thin(side)` makes for images of this
+/// size; 0 where there are none, so that no memory is allocated.
+template <class MakeThin>
+JobMaker stack_job_maker(MakeThin make_thin) {
+  return [make_thin](Index width, Index height, int) {
+    return counting_job(
+        [thin = make_thin(height >= width ? width : 0)](const auto& input, const auto& output) {
+          const auto destination = stack_in<StackView>(output);
+          const int iterations = thin(stack_in<ConstStackView>(input), destination);
+          for (Index y = destination.count * output.width; y < output.height; ++y) {
+            std::fill_n(output.row(y), output.width, std::uint8_t{0});
+          }
+          return iterations;
+        });
+  };
 }
 
-/// Thins all images of a stack and returns the largest number of iterations.
-using ThinStack = std::function<int(const ConstStackView& source, const StackView& destination)>;
-
-class StackJob final : public Job {
- public:
-  explicit StackJob(ThinStack thin) : thin_(std::move(thin)) {}
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    const auto destination = stack_in<StackView>(output);
-    iterations_ = thin_(stack_in<ConstStackView>(input), destination);
-    for (Index y = destination.count * output.width; y < output.height; ++y) {
-      std::fill_n(output.row(y), output.width, std::uint8_t{0});
-    }
-  }
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return {iterations_}; }
-  [[nodiscard]] std::string name_of_number(std::size_t) const override { return "iterations"; }
-
- private:
-  ThinStack thin_;
-  int iterations_ = 0;
-};
-
+/// Returns the largest number of iterations.
 template <class ThinImage>
-ThinStack one_by_one(ThinImage thin) {
+auto one_by_one(ThinImage thin) {
   return [thin = std::move(thin)](const ConstStackView& source, const StackView& destination) {
     int iterations = 0;
     for (Index i = 0; i < source.count; ++i) {
@@ -69,50 +59,30 @@ ThinStack one_by_one(ThinImage thin) {
   };
 }
 
-JobMaker reference_of(BuiltInRule rule) {
-  return [function = reference::thinning(rule)](Index, Index, int) {
-    return std::make_unique<StackJob>(
-        one_by_one([function](const ConstImageView& source, const ImageView& destination) {
-          return function({}, source, destination);
-        }));
-  };
+JobMaker by_reference(BuiltInRule rule) {
+  return stack_job_maker([rule](Index) {
+    return one_by_one([function = reference::thinning(rule)](const auto& from, const auto& to) {
+      return function({}, from, to);
+    });
+  });
 }
 
-JobMaker one_by_one(BuiltInRule rule, Isa highest) {
-  return [rule, highest](Index width, Index height, int) {
-    const Index side = side_of(width, height);
-    const std::shared_ptr<detail::ThinningState> state =
-        detail::make_thinning({rule, {}, {.isa = highest}}, side, side);
-    return std::make_unique<StackJob>(
-        one_by_one([state](const ConstImageView& source, const ImageView& destination) {
-          return state->run(source, destination);
-        }));
-  };
+JobMaker by_images(BuiltInRule rule, Isa isa) {
+  return stack_job_maker([rule, isa](Index side) {
+    return one_by_one(
+        [state = detail::make_thinning({rule, {}, {.isa = isa}}, side, side)](
+            const ConstImageView& from, const ImageView& to) { return state->run(from, to); });
+  });
 }
 
-JobMaker batch(BuiltInRule rule, Isa isa) {
-  return [rule, isa](Index width, Index height, int) {
-    const Index side = side_of(width, height);
-    const auto thinner =
-        std::make_shared<StackThinner>(rule, side, side, Thinning{}, Execution{.isa = isa});
-    return std::make_unique<StackJob>(
-        [thinner](const ConstStackView& source, const StackView& destination) {
-          return (*thinner)(source, destination);
-        });
-  };
-}
-
-Variant variant_of(std::string_view technique, std::string_view description, Isa isa,
-                   Index max_width, int priority, JobMaker make_job) {
-  const detail::VariantInfo info = {technique, isa, false, max_width};
-  return {technique,
-          description,
-          isa,
-          false,
-          false,
-          std::move(make_job),
-          [info](Index width) { return unavailable_reason(info, width); },
-          2 * static_cast<int>(isa) + priority};
+JobMaker by_batches(BuiltInRule rule, Isa isa) {
+  return stack_job_maker([rule, isa](Index side) {
+    return [thinner = std::make_unique<StackThinner>(
+                rule, side, side, Thinning{}, Execution{.isa = isa})](const auto& source,
+                                                                      const auto& destination) {
+      return (*thinner)(source, destination);
+    };
+  });
 }
 
 Operation operation_of(const BatchRule& batch_rule) {
@@ -121,13 +91,15 @@ Operation operation_of(const BatchRule& batch_rule) {
                          "thins many small images of one size",
                          InputKind::binary,
                          {},
-                         reference_of(rule)};
+                         by_reference(rule)};
   for (const Isa isa : detail::isas_of<detail::BuiltInScans>()) {
+    const int priority = 2 * static_cast<int>(isa);
+    operation.variants.push_back(library_variant(
+        {"one_by_one", isa, false, detail::kAnyWidth, priority}, by_images(rule, isa),
+        "image after image by the library's choice for one image"));
     operation.variants.push_back(
-        variant_of("one_by_one", "image after image by the library's choice for one image", isa,
-                   detail::kAnyWidth, 0, one_by_one(rule, isa)));
-    operation.variants.push_back(variant_of("batch", "one image per lane of a vector register", isa,
-                                            detail::kMaxLaneWidth, 1, batch(rule, isa)));
+        library_variant({"batch", isa, false, detail::kMaxLaneWidth, priority + 1},
+                        by_batches(rule, isa), "one image per lane of a vector register"));
   }
   operation.counter = "iterations";
   operation.operation = name;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/exported.hpp"
-#include "harness/families.hpp"
+#include "harness/library_operation.hpp"
 #include "reference.hpp"
 #include "scan/built_in.hpp"
 #include "thinbench/labels.hpp"
@@ -12,8 +12,6 @@
 
 namespace thinbench {
 namespace {
-
-using ThinImage = std::function<int(const ConstImageView& source, const ImageView& destination)>;
 
 struct CollectionCase {
   std::string name;  // of the rule
@@ -36,21 +34,6 @@ std::vector<CollectionCase> cases() {
 bool suits_labels(const CollectionCase& one) {
   const auto parameters = detail::thinning_parameters(one.rule, one.thinning);
   return !parameters.complemented && !parameters.rule->adds_pixels();
-}
-
-ThinImage reference_of(const CollectionCase& one) {
-  const reference::Repetition repetition = {
-      one.thinning.border.value_or(one.rule.border()),
-      one.thinning.max_iterations.value_or(one.rule.max_iterations())};
-  const auto function = reference_named(one.rule.name());
-  if (function != nullptr && repetition.border != Border::foreground) {
-    return [repetition, function](const auto& from, const auto& to) {
-      return function(repetition, from, to);
-    };
-  }
-  return [repetition, rule = one.rule](const auto& from, const auto& to) {
-    return reference::apply_tables(rule.sub_iterations(), repetition, from, to);
-  };
 }
 
 /// The parts of an image of this size: a grid of images of four sizes.
@@ -89,19 +72,20 @@ bool select(const ConstImageView& source, std::int32_t label, const ImageView& s
   return any;
 }
 
-int labels_by_reference(const ThinImage& thin, const ConstImageView& source,
+int labels_by_reference(const CollectionCase& one, const Execution&, const ConstImageView& source,
                         const ImageView& destination) {
-  ByteImage one(source.width, source.height);
+  ByteImage selected(source.width, source.height);
   int iterations = 0;
   for (Index y = 0; y < source.height; ++y) {
     std::fill_n(destination.row(y), source.width, std::uint8_t{0});
   }
   for (std::int32_t label = 1; label <= kLabels; ++label) {
-    if (!select(source, label, one.view())) continue;
-    iterations = std::max(iterations, thin(one.view(), one.view()));
+    if (!select(source, label, selected.view())) continue;
+    iterations = std::max(
+        iterations, thin_by_reference(one.rule, one.thinning, selected.view(), selected.view()));
     for (Index y = 0; y < source.height; ++y) {
       for (Index x = 0; x < source.width; ++x) {
-        if (one.at(x, y) != 0) destination.row(y)[x] = static_cast<std::uint8_t>(label);
+        if (selected.at(x, y) != 0) destination.row(y)[x] = static_cast<std::uint8_t>(label);
       }
     }
   }
@@ -124,13 +108,13 @@ int labels_by_library(const CollectionCase& one, const Execution& execution,
   return iterations;
 }
 
-int list_by_reference(const ThinImage& thin, const ConstImageView& source,
+int list_by_reference(const CollectionCase& one, const Execution&, const ConstImageView& source,
                       const ImageView& destination) {
   const auto from = parts_of(source);
   const auto to = parts_of(destination);
   int iterations = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    iterations = std::max(iterations, thin(from[i], to[i]));
+    iterations = std::max(iterations, thin_by_reference(one.rule, one.thinning, from[i], to[i]));
   }
   return iterations;
 }
@@ -140,35 +124,31 @@ int list_by_library(const CollectionCase& one, const Execution& execution,
   return thin_many(one.rule, parts_of(source), parts_of(destination), one.thinning, execution);
 }
 
-using ByReference = int (*)(const ThinImage&, const ConstImageView&, const ImageView&);
-using ByLibrary = int (*)(const CollectionCase&, const Execution&, const ConstImageView&,
-                          const ImageView&);
+using Thin = int (*)(const CollectionCase&, const Execution&, const ConstImageView&,
+                     const ImageView&);
 
-Operation operation_of(const std::string& kind, const CollectionCase& one, ByReference by_reference,
-                       ByLibrary by_library) {
+JobMaker job_of(const CollectionCase& one, Isa isa, Thin thin) {
+  return [=](Index, Index, int threads) {
+    return counting_job([=](const auto& input, const auto& output) {
+      return thin(one, {threads, isa}, input, output);
+    });
+  };
+}
+
+Operation operation_of(const std::string& kind, const CollectionCase& one, Thin by_reference,
+                       Thin by_library) {
   Operation operation = {kind + "_" + one.name,
                          "many images or labels, thinned in one call",
                          InputKind::binary,
                          {},
-                         {}};
+                         job_of(one, Isa::baseline, by_reference)};
   for (const Isa isa : detail::isas_of<detail::BuiltInScans>()) {
     for (const bool threaded : {false, true}) {
-      const detail::VariantInfo info = {"chosen", isa, threaded};
       operation.variants.push_back(
-          {info.technique, "the library's choice", isa, threaded, false,
-           [=](Index, Index, int threads) {
-             return counting_job([=](const ConstImageView& input, const ImageView& output) {
-               return by_library(one, {threads, isa}, input, output);
-             });
-           },
-           [info](Index width) { return unavailable_reason(info, width); }, static_cast<int>(isa)});
+          library_variant({"chosen", isa, threaded, detail::kAnyWidth, static_cast<int>(isa)},
+                          job_of(one, isa, by_library), "the library's choice"));
     }
   }
-  operation.reference = [=, thin = reference_of(one)](Index, Index, int) {
-    return counting_job([=](const ConstImageView& input, const ImageView& output) {
-      return by_reference(thin, input, output);
-    });
-  };
   operation.counter = "iterations";
   operation.small_sets_only = true;
   operation.timed = false;

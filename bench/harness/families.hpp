@@ -1,7 +1,6 @@
 // The families of operations as the harness sees them: images and numbers.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -13,31 +12,30 @@
 
 namespace thinbench {
 
-/// A variant of the library.
-[[nodiscard]] Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
-                                      JobMaker make_job);
+/// A variant of the library without a kernel scope; the description is that of its technique where
+/// it is empty.
+[[nodiscard]] Variant library_variant(const detail::VariantInfo& variant, JobMaker make_job,
+                                      std::string_view description = {});
 
-/// The reference of a rule of the product or of the study; nullptr for other names.
+/// The reference of a rule of the product or of the study. Throws std::logic_error for other names.
 [[nodiscard]] reference::Thinning reference_named(std::string_view rule);
+
+/// By the reference of the rule's name; by tables for others and with foreground outside. Throws
+/// std::logic_error where there is neither.
+int thin_by_reference(const Rule& rule, const reference::Repetition& repetition,
+                      const ConstImageView& source, const ImageView& destination);
+/// What is not given is the rule's own.
+int thin_by_reference(const Rule& rule, const Thinning& thinning, const ConstImageView& source,
+                      const ImageView& destination);
 
 /// Every rule with all borders that it can have, and the nets limited to one iteration.
 [[nodiscard]] std::vector<Operation> thinning_family();
 
-/// What changes the result of an operation.
-struct ThinningCase {
-  Border border = Border::background;
-  int max_iterations = kUnlimited;
-};
-
 /// One operation; it must outlive the result.
 [[nodiscard]] Operation thinning_operation(const detail::ThinningOperation& operation,
-                                           const ThinningCase& options = {});
+                                           const reference::Repetition& repetition = {});
 
 [[nodiscard]] std::unique_ptr<Job> thinning_job(std::unique_ptr<detail::ThinningState> state);
-
-/// A job of a function that returns its number of iterations.
-[[nodiscard]] std::unique_ptr<Job> counting_job(
-    std::function<int(const ConstImageView& input, const ImageView& output)> function);
 
 /// In all directions, with both borders.
 [[nodiscard]] std::vector<Operation> midpoint_family();

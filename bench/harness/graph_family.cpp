@@ -1,9 +1,5 @@
-#include <utility>
-#include <vector>
-
 #include "graph.hpp"
-#include "harness/families.hpp"
-#include "techniques/variants.hpp"
+#include "harness/library_operation.hpp"
 
 namespace thinbench {
 namespace {
@@ -28,56 +24,30 @@ std::vector<std::int64_t> numbers_of(const Graph& graph) {
   return numbers;
 }
 
-class GraphJob : public Job {
- public:
-  [[nodiscard]] bool gives_image() const override { return false; }
-  [[nodiscard]] std::string name_of_number(std::size_t index) const override {
+/// A graph that belongs to a state, or to this.
+struct FoundGraph {
+  static constexpr bool kGivesImage = false;
+  const Graph* graph = nullptr;
+  Graph own = {};
+  [[nodiscard]] std::vector<std::int64_t> numbers() const { return numbers_of(*graph); }
+  [[nodiscard]] static std::string name_of_number(std::size_t index) {
     if (index < 2) return index == 0 ? "nodes" : "edges";
     return "number " + std::to_string(index) + " of nodes, edges and their pixels";
   }
 };
 
-class StateJob final : public GraphJob {
- public:
-  explicit StateJob(std::unique_ptr<detail::GraphState> state) : state_(std::move(state)) {}
-
-  void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    graph_ = &state_->run(input);
-  }
-
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(*graph_); }
-
- private:
-  std::unique_ptr<detail::GraphState> state_;
-  const Graph* graph_ = nullptr;
-};
-
-class ReferenceJob final : public GraphJob {
- public:
-  void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    graph_ = reference::skeleton_graph(input);
-  }
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(graph_); }
-
- private:
-  Graph graph_;
-};
-
 }  // namespace
 
 std::vector<Operation> graph_family() {
-  const detail::GraphOperation& operation = detail::study::graph_operation();
-  Operation result = {
-      std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const detail::Variant<detail::GraphState>& variant : operation.variants) {
-    result.variants.push_back(
-        library_variant(variant, false, [&variant](Index width, Index height, int threads) {
-          return std::make_unique<StateJob>(
-              detail::make_state(variant, width, height, {}, threads));
-        }));
-  }
-  result.reference = [](Index, Index, int) { return std::make_unique<ReferenceJob>(); };
-  result.operation = operation.name;
+  Operation result = library_operation<FoundGraph>(
+      detail::study::graph_operation(), {}, InputKind::binary,
+      [](detail::GraphState& state, const auto& input, const auto&, auto& found) {
+        found.graph = &state.run(input);
+      },
+      job_maker<FoundGraph>([](const auto& input, const auto&, auto& found) {
+        found.own = reference::skeleton_graph(input);
+        found.graph = &found.own;
+      }));
   result.measured_on_skeletons = true;
   return {result};
 }

@@ -45,20 +45,11 @@ void generate_noise(const TestImageSink& sink) {
   sink(noise(65551, 5, kLevels[0], seed));  // wider than 16 bits
 }
 
-template <class Level>
-ByteImage drawn(Index width, Index height, const Level& level) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) = static_cast<std::uint8_t>(level(x, y));
-  }
-  return image;
-}
-
 /// Images in which differences are as large as they get, exactly at a step, or always the same.
 void show_shapes(Index width, Index height, const TestImageSink& sink) {
   const auto show = [&](const char* name, const auto& level) {
     sink({std::string(name).append(" ").append(size_text(width, height)),
-          drawn(width, height, level), InputKind::grey});
+          image_by(width, height, level), InputKind::grey});
   };
   show("black", [](Index, Index) { return 0; });
   show("grey 128", [](Index, Index) { return 128; });
@@ -90,7 +81,7 @@ void generate_shapes(const TestImageSink& sink) {
 ByteImage grey_noise_image(Index width, Index height, std::uint8_t lowest, std::uint8_t highest,
                            std::uint64_t seed) {
   const std::uint64_t levels = static_cast<std::uint64_t>(highest - lowest) + 1;
-  return drawn(width, height, [&](Index x, Index y) {
+  return image_by(width, height, [&](Index x, Index y) {
     const auto place = static_cast<std::uint64_t>(y << 32 | x);
     return lowest + splitmix64(splitmix64(seed) ^ place) % levels;
   });

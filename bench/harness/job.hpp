@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,16 +35,21 @@ class Job {
   /// The three steps of run, for jobs whose representation differs from bytes: into it, the
   /// operation itself (the input is kept, so this may be repeated), and out of it. Others throw
   /// std::logic_error.
-  virtual void load(const ConstImageView& input);
-  virtual void kernel();
-  virtual void store(const ImageView& output) const;
+  virtual void load(const ConstImageView& /*input*/) { throw std::logic_error(kNoSteps); }
+  virtual void kernel() { throw std::logic_error(kNoSteps); }
+  virtual void store(const ImageView& /*output*/) const { throw std::logic_error(kNoSteps); }
 
   /// What the latest run or kernel gave beside the image, such as the number of iterations.
   [[nodiscard]] virtual std::vector<std::int64_t> numbers() const { return {}; }
   /// What number `index` is, in the words of a message: "iterations".
-  [[nodiscard]] virtual std::string name_of_number(std::size_t index) const;
+  [[nodiscard]] virtual std::string name_of_number(std::size_t index) const {
+    return "number " + std::to_string(index);
+  }
 
   [[nodiscard]] virtual bool gives_image() const { return true; }
+
+ private:
+  static constexpr const char* kNoSteps = "this job works on bytes: it has no steps of its own";
 };
 
 using JobMaker = std::function<std::unique_ptr<Job>(Index width, Index height, int threads)>;

@@ -6,30 +6,6 @@
 #include "harness/families.hpp"
 
 namespace thinbench {
-namespace {
-
-[[noreturn]] void reject_step() {
-  throw std::logic_error("this job works on bytes: it has no steps of its own");
-}
-
-}  // namespace
-
-void Job::load(const ConstImageView&) {
-  reject_step();
-}
-
-void Job::kernel() {
-  reject_step();
-}
-
-void Job::store(const ImageView&) const {
-  reject_step();
-}
-
-std::string Job::name_of_number(std::size_t index) const {
-  return "number " + std::to_string(index);
-}
-
 Outcome outcome_of(Job& job, const ConstImageView& input) {
   Outcome outcome;
   if (job.gives_image()) outcome.image = ByteImage(input.width, input.height);

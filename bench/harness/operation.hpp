@@ -35,13 +35,6 @@ struct Variant {
   [[nodiscard]] std::string_view isa_label() const { return is_peer ? "native" : isa_name(isa); }
 };
 
-/// How results list a case beside its name.
-struct CaseLabels {
-  std::string operation;  // the plain name
-  std::string border;     // "background", "keep", or empty where the operation has none
-  std::optional<int> max_iterations = std::nullopt;
-};
-
 /// A case: an operation with the options that change what it gives. Every case is verified.
 struct Operation {
   /// Unique: the operation's name, with the border where it is kept and the limit of iterations
@@ -57,7 +50,7 @@ struct Operation {
   bool is_net = false;
   /// Too slow for the big sets of test images; another operation covers the same code.
   bool small_sets_only = false;
-  /// The name without border and limit.
+  /// The name without border and limit, where it has them.
   std::string_view operation = {};
   /// Thinning only.
   std::optional<Border> border = std::nullopt;
@@ -67,11 +60,6 @@ struct Operation {
   /// False for cases that are verified, but timed, counted and compared only where a filter spells
   /// their name out, see is_requested().
   bool timed = true;
-
-  [[nodiscard]] CaseLabels labels() const {
-    return {std::string(operation.empty() ? std::string_view(name) : operation),
-            std::string(border ? border_name(*border) : std::string_view()), max_iterations};
-  }
 };
 
 /// Whether a case is timed and counted with this filter, a regular expression for names of results:

@@ -1,22 +1,18 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <type_traits>
 
-#include "harness/families.hpp"
-#include "holes.hpp"
+#include "harness/library_operation.hpp"
 #include "localise.hpp"
 #include "techniques/regions.hpp"
-#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
 
+using detail::ConstBitPlaneView;
 using detail::EulerState;
 using detail::FillState;
 using detail::ListState;
-using detail::Variant;
-using detail::VariantInfo;
 
 constexpr std::size_t kCounts = 2;
 constexpr std::array kMembers = {"area", "sum of x", "sum of y", "left",
@@ -27,204 +23,146 @@ void append(std::vector<std::int64_t>& numbers, const Region& region) {
                                  region.right, region.bottom, region.enclosing_object});
 }
 
-std::vector<std::int64_t> numbers_of(std::int64_t number) {
-  return {number};
-}
-
-/// Gives no image, but a result as numbers.
-template <class Result>
-class ResultJob : public Job {
- public:
-  [[nodiscard]] bool gives_image() const override { return false; }
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(result_); }
-  [[nodiscard]] std::string name_of_number(std::size_t index) const override {
-    return std::is_same_v<Result, Regions> ? name_of_region_number(index) : "Euler number";
-  }
-
- protected:
-  Result result_{};
+struct EulerNumber {
+  static constexpr bool kGivesImage = false;
+  std::int64_t number = 0;
+  [[nodiscard]] std::vector<std::int64_t> numbers() const { return {number}; }
+  [[nodiscard]] static std::string name_of_number(std::size_t) { return "Euler number"; }
 };
 
-/// Calls a function that sets the result of an input.
-template <class Result, class Find>
-class FindingJob final : public ResultJob<Result> {
- public:
-  explicit FindingJob(Find find) : find_(std::move(find)) {}
-
-  void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    find_(input, this->result_);
-  }
-
- private:
-  Find find_;
+/// What a kernel gives; it belongs to the state.
+struct Filled : NoNumbers {
+  ConstBitPlaneView bits{};
 };
 
-template <class Result, class Find>
-std::unique_ptr<Job> finding_job(Find find) {
-  return std::make_unique<FindingJob<Result, Find>>(std::move(find));
+void run_state(ListState& state, const ConstImageView& input, const ImageView&,
+               RegionLists& found) {
+  state.run(input, found.lists);
+}
+void run_state(EulerState& state, const ConstImageView& input, const ImageView&,
+               EulerNumber& found) {
+  found.number = state.run(input);
+}
+void run_state(FillState& state, const ConstImageView& input, const ImageView& output, Filled&) {
+  state.run(input, output);
 }
 
-/// Calls a function of input and output.
-template <class Fill>
-class FillingJob final : public Job {
- public:
-  explicit FillingJob(Fill fill) : fill_(std::move(fill)) {}
-
-  void run(const ConstImageView& input, const ImageView& output) override { fill_(input, output); }
-
- private:
-  Fill fill_;
-};
-
-template <class Fill>
-std::unique_ptr<Job> filling_job(Fill fill) {
-  return std::make_unique<FillingJob<Fill>>(std::move(fill));
+void run_kernel(ListState& state, const ConstBitPlaneView& image, RegionLists& found) {
+  state.find(image, found.lists);
+}
+void run_kernel(EulerState& state, const ConstBitPlaneView& image, EulerNumber& found) {
+  found.number = state.count(image);
+}
+void run_kernel(FillState& state, const ConstBitPlaneView& image, Filled& found) {
+  found.bits = state.fill(image);
 }
 
-/// What a kernel alone works on.
-class PackedInput {
- public:
-  void load(const ConstImageView& input) {
-    if (!image_) image_.emplace(best_isa(), input.width, input.height);
-    view_ = image_->read(input);
-  }
-  [[nodiscard]] const detail::ConstBitPlaneView& view() const { return view_; }
-
- private:
-  std::optional<detail::PackedImage> image_;
-  detail::ConstBitPlaneView view_{};
-};
-
-void run_state(ListState& state, const ConstImageView& input, Regions& found) {
-  state.run(input, found);
-}
-void run_state(EulerState& state, const ConstImageView& input, std::int64_t& number) {
-  number = state.run(input);
-}
-void run_kernel(ListState& state, const detail::ConstBitPlaneView& image, Regions& found) {
-  state.find(image, found);
-}
-void run_kernel(EulerState& state, const detail::ConstBitPlaneView& image, std::int64_t& number) {
-  number = state.count(image);
-}
-
+/// The kernel works on packed bits.
 template <class Result, class State>
 class StateJob final : public ResultJob<Result> {
  public:
   explicit StateJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-  void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    run_state(*state_, input, this->result_);
+  void run(const ConstImageView& input, const ImageView& output) override {
+    run_state(*state_, input, output, this->result_);
   }
-  void load(const ConstImageView& input) override { packed_.load(input); }
-  void kernel() override { run_kernel(*state_, packed_.view(), this->result_); }
+  void load(const ConstImageView& input) override {
+    if (!image_) image_.emplace(best_isa(), input.width, input.height);
+    bits_ = image_->read(input);
+  }
+  void kernel() override { run_kernel(*state_, bits_, this->result_); }
+  void store(const ImageView& output) const override {
+    if constexpr (Result::kGivesImage) {
+      detail::plane_conversion<std::uint64_t>(best_isa()).write(this->result_.bits, output);
+    } else {
+      Job::store(output);
+    }
+  }
 
  private:
   std::unique_ptr<State> state_;
-  PackedInput packed_;
+  std::optional<detail::PackedImage> image_;
+  ConstBitPlaneView bits_{};
 };
 
-class FillStateJob final : public Job {
- public:
-  explicit FillStateJob(std::unique_ptr<FillState> state) : state_(std::move(state)) {}
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    state_->run(input, output);
-  }
-  void load(const ConstImageView& input) override { packed_.load(input); }
-  void kernel() override { filled_ = state_->fill(packed_.view()); }
-  void store(const ImageView& output) const override {
-    detail::plane_conversion<std::uint64_t>(best_isa()).write(filled_, output);
-  }
-
- private:
-  std::unique_ptr<FillState> state_;
-  PackedInput packed_;
-  detail::ConstBitPlaneView filled_{};
-};
-
-/// The product's variants of an operation, as jobs of their states.
-template <class StateJob, class TableOperation, class Parameters>
-Operation operation_of_table(const TableOperation& operation, const Parameters& parameters) {
-  Operation result = {
-      std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const auto& variant : operation.variants) {
-    result.variants.push_back(library_variant(
-        variant, true, [&variant, parameters](Index width, Index height, int threads) {
-          return std::make_unique<StateJob>(
-              detail::make_state(variant, width, height, parameters, threads));
-        }));
-  }
-  result.operation = operation.name;
+template <class Result, class Key, class State>
+Operation packed_operation(const detail::Operation<Key, State>& operation,
+                           const typename State::Parameters& parameters, JobMaker reference) {
+  Operation result = case_of(operation, InputKind::binary, std::move(reference));
+  add_variants(result, operation.variants,
+               [parameters](const auto& variant, Index width, Index height, int threads) {
+                 return std::make_unique<StateJob<Result, State>>(
+                     detail::make_state(variant, width, height, parameters, threads));
+               });
+  for (Variant& variant : result.variants) variant.has_kernel_scope = true;
   return result;
 }
 
 /// Adds a technique of the study to those of an operation: below the product's in priority.
-void add_technique(Operation& operation, std::string_view technique, bool has_kernel_scope,
-                   JobMaker make_job) {
+/// `State` is made by the arguments and the size; `run(state, input, output, result)`.
+template <class Result, class State, class Run, class... Arguments>
+void add_technique(Operation& operation, std::string_view technique, Run run,
+                   Arguments... arguments) {
+  const auto make_job = [=](Index width, Index height, int) {
+    return function_job<Result>(width, height,
+                                [run, state = std::make_unique<State>(arguments..., width, height)](
+                                    const auto& input, const auto& output, Result& found) {
+                                  run(*state, input, output, found);
+                                });
+  };
+  operation.variants.insert(operation.variants.begin(),
+                            library_variant({technique, Isa::baseline}, make_job));
+}
+
+Operation list_operation(detail::ListOperation operation) {
+  const bool with_holes = operation.key;
   operation.variants.insert(
       operation.variants.begin(),
-      library_variant({technique, Isa::baseline}, has_kernel_scope, std::move(make_job)));
-}
-
-Operation list_operation(const detail::ListOperation& table) {
-  using ListJob = StateJob<Regions, ListState>;
-  const bool with_holes = table.key;
-  Operation result = operation_of_table<ListJob>(table, detail::ListParameters{with_holes});
-  static const Variant<ListState> bitpacked_runs = {{"bitpacked_runs", Isa::baseline},
-                                                    &detail::make_bitpacked_runs};
-  add_technique(result, "bitpacked_runs", true, [with_holes](Index width, Index height, int) {
-    return std::make_unique<ListJob>(
-        detail::make_state(bitpacked_runs, width, height, {with_holes}, 1));
-  });
-  add_technique(result, "union_find", false, [with_holes](Index width, Index height, int) {
-    const auto state = std::make_shared<detail::UnionFind>(width, height);
-    return finding_job<Regions>([state, with_holes](const ConstImageView& input, Regions& found) {
-      state->find(input, with_holes, found);
-    });
-  });
-  result.reference = [with_holes](Index, Index, int) {
-    return finding_job<Regions>([with_holes](const ConstImageView& input, Regions& found) {
-      auto [objects, holes] = with_holes ? reference::holes(input) : reference::components(input);
-      found = {std::move(objects), std::move(holes)};
-    });
-  };
+      detail::Variant<ListState>{{"bitpacked_runs", Isa::baseline}, &detail::make_bitpacked_runs});
+  Operation result = packed_operation<RegionLists>(
+      operation, {with_holes},
+      job_maker<RegionLists>([with_holes](const auto& input, const auto&, auto& found) {
+        found.lists = lists_of(with_holes ? reference::holes(input) : reference::components(input));
+      }));
+  add_technique<RegionLists, detail::UnionFind>(
+      result, "union_find",
+      [with_holes](detail::UnionFind& state, const auto& input, const auto&, auto& found) {
+        state.find(input, with_holes, found.lists);
+      });
   return result;
 }
 
-Operation euler_operation(const detail::EulerOperation& table) {
-  const Connectivity objects = table.key;
-  Operation result = operation_of_table<StateJob<std::int64_t, EulerState>>(
-      table, detail::EulerParameters{objects});
-  add_technique(result, "lut", false, [objects](Index width, Index height, int) {
-    const auto state = std::make_shared<detail::EulerQuads>(objects, width, height);
-    return finding_job<std::int64_t>(
-        [state](const ConstImageView& input, std::int64_t& number) { number = state->run(input); });
-  });
+Operation euler_operation(const detail::EulerOperation& operation) {
+  const Connectivity objects = operation.key;
   const auto reference =
       objects == Connectivity::eight ? reference::euler_number : reference::euler_number_4;
-  result.reference = [reference](Index, Index, int) {
-    return finding_job<std::int64_t>(
-        [reference](const ConstImageView& input, std::int64_t& number) {
-          number = reference(input);
-        });
-  };
+  Operation result = packed_operation<EulerNumber>(
+      operation, {objects},
+      job_maker<EulerNumber>([reference](const auto& input, const auto&, auto& found) {
+        found.number = reference(input);
+      }));
+  add_technique<EulerNumber, detail::EulerQuads>(
+      result, "lut",
+      [](detail::EulerQuads& state, const auto& input, const auto&, auto& found) {
+        found.number = state.run(input);
+      },
+      objects);
   return result;
 }
 
-Operation fill_operation(const detail::FillOperation& table) {
-  Operation result = operation_of_table<FillStateJob>(table, HoleFilling{table.key});
-  const bool eight = table.key == Connectivity::eight;
-  if (eight) {
-    add_technique(result, "union_find", false, [](Index width, Index height, int) {
-      const auto state = std::make_shared<detail::UnionFind>(width, height);
-      return filling_job([state](const ConstImageView& input, const ImageView& output) {
-        state->fill(input, output);
+Operation fill_operation(const detail::FillOperation& operation) {
+  const bool eight = operation.key == Connectivity::eight;
+  const auto reference = eight ? reference::fill_holes : reference::fill_holes_4;
+  Operation result = packed_operation<Filled>(
+      operation, {operation.key},
+      job_maker<NoNumbers>(
+          [reference](const auto& input, const auto& output, auto&) { reference(input, output); }));
+  if (!eight) return result;
+  add_technique<NoNumbers, detail::UnionFind>(
+      result, "union_find",
+      [](detail::UnionFind& state, const auto& input, const auto& output, auto&) {
+        state.fill(input, output);
       });
-    });
-  }
-  result.reference = [fill = eight ? reference::fill_holes : reference::fill_holes_4](
-                         Index, Index, int) { return filling_job(fill); };
   return result;
 }
 
@@ -260,26 +198,15 @@ std::vector<Operation> regions_family() {
 }
 
 std::vector<Operation> localise_family() {
-  const detail::LocaliseOperation& chain = detail::localise_operation();
-  Operation result = {std::string(chain.name), chain.description, InputKind::grey, {}, {}};
-  for (const detail::LocaliseVariant& variant : chain.variants) {
-    result.variants.push_back(
-        library_variant(variant, false, [&variant](Index width, Index height, int threads) {
-          const std::shared_ptr<detail::LocaliseState> state =
-              detail::make_state(variant, width, height, {EdgeOperator::sobel, {}}, threads);
-          return finding_job<Regions>(
-              [state](const ConstImageView& input, Regions& found) { state->run(input, found); });
-        }));
-  }
-  result.reference = [](Index, Index, int) {
-    return finding_job<Regions>([](const ConstImageView& input, Regions& found) {
-      auto [objects, holes] =
-          reference::localise_objects(reference::edges(EdgeOperator::sobel), {}, input);
-      found = {std::move(objects), std::move(holes)};
-    });
-  };
-  result.operation = chain.name;
-  return {result};
+  return {library_operation<RegionLists>(
+      detail::localise_operation(), {EdgeOperator::sobel, {}}, InputKind::grey,
+      [](detail::LocaliseState& state, const auto& input, const auto&, auto& found) {
+        state.run(input, found.lists);
+      },
+      job_maker<RegionLists>([](const auto& input, const auto&, auto& found) {
+        found.lists =
+            lists_of(reference::localise_objects(reference::edges(EdgeOperator::sobel), {}, input));
+      }))};
 }
 
 }  // namespace thinbench

@@ -15,4 +15,16 @@ namespace thinbench {
   return z ^ (z >> 31);
 }
 
+/// These numbers one after another.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : seed_(seed) {}
+
+  std::uint64_t next() { return splitmix64(seed_, drawn_++); }
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t drawn_ = 0;
+};
+
 }  // namespace thinbench

@@ -49,30 +49,18 @@ void draw_line(const ImageView& image, Point a, Point b, std::int64_t radius) {
   }
 }
 
-/// Random numbers one after another.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : seed_(seed) {}
-  /// From 0 to `count` - 1.
-  std::int64_t below(std::int64_t count) {
-    return static_cast<std::int64_t>(splitmix64(seed_, next_++) %
-                                     static_cast<std::uint64_t>(count));
-  }
-
- private:
-  std::uint64_t seed_;
-  std::uint64_t next_ = 0;
-};
-
 void draw_strokes(const ImageView& image, Random random) {
   const std::int64_t side = image.width * kUnits;
-  const std::int64_t radius = side / 28 + random.below(side / 28 + 1);
-  const auto coordinate = [&] { return side / 7 + random.below(side * 5 / 7 + 1); };
+  const auto below = [&random](std::int64_t count) {
+    return static_cast<std::int64_t>(random.next() % static_cast<std::uint64_t>(count));
+  };
+  const std::int64_t radius = side / 28 + below(side / 28 + 1);
+  const auto coordinate = [&] { return side / 7 + below(side * 5 / 7 + 1); };
   const auto point = [&] {
     const std::int64_t x = coordinate();
     return Point{x, coordinate()};
   };
-  const std::int64_t points = 3 + random.below(4);
+  const std::int64_t points = 3 + below(4);
   Point last = point();
   for (std::int64_t i = 1; i < points; ++i) {
     const Point next = point();

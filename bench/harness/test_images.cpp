@@ -93,24 +93,16 @@ void generate_tiles(const TestImageSink& sink) {
 }
 
 ByteImage filled(Index width, Index height, std::uint8_t value) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) = value;
-  }
-  return image;
+  return image_by(width, height, [value](Index, Index) { return value; });
 }
 
 /// Foreground bars of growing thickness along all four sides, so that shapes run into the border.
 ByteImage bars_on_border(Index width, Index height, Index thickness) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const bool edge =
-          x < thickness || y < thickness || x >= width - thickness || y >= height - thickness;
-      image.at(x, y) = edge ? kForeground : 0;
-    }
-  }
-  return image;
+  return image_by(width, height, [&](Index x, Index y) {
+    const bool edge =
+        x < thickness || y < thickness || x >= width - thickness || y >= height - thickness;
+    return edge ? kForeground : 0;
+  });
 }
 
 void generate_shapes(const TestImageSink& sink) {
@@ -214,24 +206,18 @@ void generate_patterns(const TestImageSink& sink) {
 
 ByteImage noise_image(Index width, Index height, int percent, Index granularity,
                       std::uint64_t seed) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const auto block = static_cast<std::uint64_t>((y / granularity) << 32 | (x / granularity));
-      const bool set =
-          splitmix64(splitmix64(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
-      image.at(x, y) = set ? kForeground : 0;
-    }
-  }
-  return image;
+  return image_by(width, height, [&](Index x, Index y) {
+    const auto block = static_cast<std::uint64_t>((y / granularity) << 32 | (x / granularity));
+    const bool set =
+        splitmix64(splitmix64(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
+    return set ? kForeground : 0;
+  });
 }
 
 ByteImage image_of_bits(Index width, Index height, std::uint64_t bits) {
-  ByteImage image(width, height);
-  for (Index i = 0; i < width * height; ++i) {
-    image.at(i % width, i / width) = (bits >> i & 1) != 0 ? kForeground : 0;
-  }
-  return image;
+  return image_by(width, height, [&](Index x, Index y) {
+    return (bits >> (y * width + x) & 1) != 0 ? kForeground : 0;
+  });
 }
 
 ByteImage neighbourhood_sheet(Index phase) {

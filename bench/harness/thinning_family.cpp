@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "core/packed_rows.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
-#include "harness/families.hpp"
+#include "harness/library_operation.hpp"
 #include "reference.hpp"
 #include "rules/trained_cluster.hpp"
 
@@ -16,16 +17,7 @@ namespace {
 
 using detail::ThinningState;
 using detail::ThinningVariant;
-
-/// What all thinning gives beside the image.
-class CountingJob : public Job {
- public:
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return {iterations_}; }
-  [[nodiscard]] std::string name_of_number(std::size_t) const override { return "iterations"; }
-
- protected:
-  int iterations_ = 0;
-};
+using reference::Repetition;
 
 /// Owns a packed image. Its bits are in the order of the kernels' words.
 class PackedImage {
@@ -42,26 +34,26 @@ class PackedImage {
 };
 
 /// The kernel is thinning from packed bits to packed bits.
-class StateJob final : public CountingJob {
+class StateJob final : public ResultJob<Iterations> {
  public:
   explicit StateJob(std::unique_ptr<ThinningState> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    iterations_ = state_->run(input, output);
+    result_.count = state_->run(input, output);
   }
   void load(const ConstImageView& input) override {
     const Index width = input.width, height = input.height;
     detail::BitPlane bits(width, height);
     conversion_.read(input, bits.view());
     detail::write_packed(bits.view(), source_.emplace(width, height).view());
-    result_.emplace(width, height);
+    skeleton_.emplace(width, height);
   }
   void kernel() override {
-    iterations_ = state_->run(ConstPackedView(source_.value().view()), result_.value().view());
+    result_.count = state_->run(ConstPackedView(source_.value().view()), skeleton_.value().view());
   }
   void store(const ImageView& output) const override {
     detail::BitPlane bits(output.width, output.height);
-    detail::read_packed(result_.value().view(), bits.view());
+    detail::read_packed(skeleton_.value().view(), bits.view());
     conversion_.write(bits.view(), output);
   }
 
@@ -70,7 +62,7 @@ class StateJob final : public CountingJob {
   const detail::PlaneConversion<std::uint64_t>& conversion_ =
       detail::plane_conversion<std::uint64_t>(Isa::baseline);
   std::optional<PackedImage> source_;
-  std::optional<PackedImage> result_;
+  std::optional<PackedImage> skeleton_;
 };
 
 /// Whether a technique works on bits. Others would convert them to bytes.
@@ -80,26 +72,11 @@ bool has_kernel_scope(std::string_view technique) {
   return std::find(on_bytes.begin(), on_bytes.end(), technique) == on_bytes.end();
 }
 
-class FunctionJob final : public CountingJob {
- public:
-  using Function = std::function<int(const ConstImageView& input, const ImageView& output)>;
-
-  explicit FunctionJob(Function function) : function_(std::move(function)) {}
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    iterations_ = function_(input, output);
-  }
-
- private:
-  Function function_;
-};
-
-std::string case_name(std::string_view operation, const ThinningCase& options) {
+std::string case_name(std::string_view operation, const Repetition& repetition) {
+  const auto& [border, max_iterations] = repetition;
   std::string name(operation);
-  if (options.border != Border::background) name.append(":").append(border_name(options.border));
-  if (options.max_iterations != kUnlimited) {
-    name.append(":").append(std::to_string(options.max_iterations));
-  }
+  if (border != Border::background) name.append(":").append(border_name(border));
+  if (max_iterations != kUnlimited) name.append(":").append(std::to_string(max_iterations));
   return name;
 }
 
@@ -119,14 +96,16 @@ bool has_peer_with_border(const Rule& rule) {
 
 }  // namespace
 
-Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
-                        JobMaker make_job) {
-  const detail::study::TechniqueInfo& info = detail::study::technique_info(variant.technique);
-  return {info.name,
-          info.description,
+Variant library_variant(const detail::VariantInfo& variant, JobMaker make_job,
+                        std::string_view description) {
+  if (description.empty()) {
+    description = detail::study::technique_info(variant.technique).description;
+  }
+  return {variant.technique,
+          description,
           variant.isa,
           variant.threaded,
-          has_kernel_scope,
+          false,
           std::move(make_job),
           [variant](Index width) { return detail::unavailable_reason(variant, width); },
           variant.priority};
@@ -136,14 +115,7 @@ std::unique_ptr<Job> thinning_job(std::unique_ptr<ThinningState> state) {
   return std::make_unique<StateJob>(std::move(state));
 }
 
-std::unique_ptr<Job> counting_job(
-    std::function<int(const ConstImageView& input, const ImageView& output)> function) {
-  return std::make_unique<FunctionJob>(std::move(function));
-}
-
 namespace {
-
-using reference::Repetition;
 
 int thin_by_sigmoid(const Repetition& repetition, ConstImageView from, ImageView to) {
   return reference::net_two_layer(kPaperTwoLayer, Activation::sigmoid, repetition, from, to);
@@ -160,12 +132,12 @@ int thin_by_cluster(const Repetition& repetition, ConstImageView from, ImageView
 }
 
 /// In the order of detail::study::kStudyRules.
-constexpr reference::Thinning kStudyReferences[] = {
-    &reference::spta, &thin_by_sigmoid, &thin_by_rounded, &thin_by_linear, &thin_by_cluster};
+constexpr std::array kStudyReferences = {&reference::spta, &thin_by_sigmoid, &thin_by_rounded,
+                                         &thin_by_linear, &thin_by_cluster};
+static_assert(kStudyReferences.size() == detail::study::kStudyRules.size());
 
-}  // namespace
-
-reference::Thinning reference_named(std::string_view rule) {
+/// Of a rule of the product or of the study; nullptr for other names.
+reference::Thinning find_reference(std::string_view rule) {
   if (const auto built_in = rule_from_name(rule)) return reference::thinning(*built_in);
   for (const auto& info : detail::study::kStudyRules) {
     if (info.name == rule || info.operation == rule) {
@@ -173,6 +145,35 @@ reference::Thinning reference_named(std::string_view rule) {
     }
   }
   return nullptr;
+}
+
+[[noreturn]] void throw_no_reference(std::string_view rule) {
+  throw std::logic_error("no reference for the rule " + std::string(rule));
+}
+
+}  // namespace
+
+reference::Thinning reference_named(std::string_view rule) {
+  const reference::Thinning function = find_reference(rule);
+  if (function == nullptr) throw_no_reference(rule);
+  return function;
+}
+
+int thin_by_reference(const Rule& rule, const Repetition& repetition, const ConstImageView& source,
+                      const ImageView& destination) {
+  const reference::Thinning function = find_reference(rule.name());
+  if (function != nullptr && repetition.border != Border::foreground) {
+    return function(repetition, source, destination);
+  }
+  if (rule.sub_iterations().empty()) throw_no_reference(rule.name());
+  return reference::apply_tables(rule.sub_iterations(), repetition, source, destination);
+}
+
+int thin_by_reference(const Rule& rule, const Thinning& thinning, const ConstImageView& source,
+                      const ImageView& destination) {
+  const Repetition repetition = {thinning.border.value_or(rule.border()),
+                                 thinning.max_iterations.value_or(rule.max_iterations())};
+  return thin_by_reference(rule, repetition, source, destination);
 }
 
 namespace {
@@ -183,51 +184,35 @@ std::vector<ThinningVariant> variants_of(const detail::ThinningOperation& operat
   return parameters.complemented ? detail::thinning_variants(*parameters.rule) : operation.variants;
 }
 
-/// A reference by the name of the rule or, with foreground outside, by its tables.
-JobMaker reference_of(const Rule& rule, const ThinningCase& options) {
-  const reference::Repetition repetition = {options.border, options.max_iterations};
-  if (options.border != Border::foreground) {
-    return [repetition, function = reference_named(rule.name())](Index, Index, int) {
-      return counting_job(
-          [repetition, function](const ConstImageView& input, const ImageView& output) {
-            return function(repetition, input, output);
-          });
-    };
-  }
-  return [repetition, rule](Index, Index, int) {
-    return counting_job([repetition, rule](const ConstImageView& input, const ImageView& output) {
-      return reference::apply_tables(rule.sub_iterations(), repetition, input, output);
-    });
-  };
-}
-
 }  // namespace
 
 Operation thinning_operation(const detail::ThinningOperation& operation,
-                             const ThinningCase& options) {
+                             const Repetition& repetition) {
   const Rule& rule = operation.key;
   const bool is_net = is_net_rule(rule);
   const detail::ThinningParameters parameters =
-      detail::thinning_parameters(rule, {options.border, options.max_iterations});
-  Operation result = {
-      case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
-  for (const ThinningVariant& variant : variants_of(operation, parameters)) {
-    result.variants.push_back(library_variant(
-        variant, has_kernel_scope(variant.technique),
-        [variant, parameters](Index width, Index height, int threads) {
-          return thinning_job(make_state(variant, width, height, parameters, threads));
-        }));
+      detail::thinning_parameters(rule, {repetition.border, repetition.max_iterations});
+  Operation result =
+      case_of(operation, InputKind::binary,
+              counting_job_maker([rule, repetition](const auto& input, const auto& output) {
+                return thin_by_reference(rule, repetition, input, output);
+              }));
+  result.name = case_name(operation.name, repetition);
+  add_variants(result, variants_of(operation, parameters),
+               [parameters](const auto& variant, Index width, Index height, int threads) {
+                 return thinning_job(make_state(variant, width, height, parameters, threads));
+               });
+  for (Variant& variant : result.variants) {
+    variant.has_kernel_scope = has_kernel_scope(variant.technique);
   }
-  result.reference = reference_of(rule, options);
   result.counter = "iterations";
   result.is_net = is_net && is_exact(rule);
-  result.operation = operation.name;
-  result.border = options.border;
-  if (options.max_iterations != kUnlimited) result.max_iterations = options.max_iterations;
+  result.border = repetition.border;
+  if (repetition.max_iterations != kUnlimited) result.max_iterations = repetition.max_iterations;
   result.small_sets_only =
-      (is_net && !result.max_iterations) || options.border == Border::foreground;
-  result.timed = options.border == Border::background ||
-                 (options.border == Border::keep && has_peer_with_border(rule));
+      (is_net && !result.max_iterations) || repetition.border == Border::foreground;
+  result.timed = repetition.border == Border::background ||
+                 (repetition.border == Border::keep && has_peer_with_border(rule));
   return result;
 }
 

@@ -22,6 +22,7 @@
 #include "measure/row_options.hpp"
 #include "measure/sample_reporter.hpp"
 #include "peers/peers.hpp"
+#include "support/json_field.hpp"
 #include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
@@ -117,9 +118,7 @@ int verify_and_measure(const BenchmarkOptions& options) {
   const std::vector<KnownRow> rows = calibrate_rows(selection, options.max_call_seconds);
   const int status = selection.mismatches.empty() ? kSuccess : kUsage;
   if (!options.facts.empty()) {
-    const auto facts = facts_json(options.inputs, inputs, selection, rows);
-    write_whole_file(options.facts,
-                     facts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_whole_file(options.facts, json_line(facts_json(options.inputs, inputs, selection, rows)));
     return status;
   }
   report_skipped(selection);
@@ -193,19 +192,13 @@ void add_options(CLI::App& app, BenchmarkOptions& options) {
       ->capture_default_str()
       ->check(real_number(0, 1e6))
       ->type_name("S");
-  app.add_option("--samples", options.samples, "write a line of CSV for each repetition")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(app, "--samples", options.samples, "write a line of CSV for each repetition");
   CLI::Option* facts =
-      app.add_option("--facts", options.facts,
-                     "only verify; write what is known of the rows as JSON, for --known")
-          ->check(not_empty())
-          ->type_name("FILE");
-  app.add_option("--known", options.known,
-                 "measure the rows of these facts, which are not verified again: their results "
-                 "must be the verified ones")
-      ->check(not_empty())
-      ->type_name("FILE")
+      add_file_option(app, "--facts", options.facts,
+                      "only verify; write what is known of the rows as JSON, for --known");
+  add_file_option(app, "--known", options.known,
+                  "measure the rows of these facts, which are not verified again: their results "
+                  "must be the verified ones")
       ->excludes(facts);
   app.add_option("--pictures", options.pictures,
                  "only write the inputs and what operations make of them as image files")
@@ -235,7 +228,7 @@ int run(std::vector<std::string> words) {
   initialize(words);
   CLI::App app("Verify rows and measure them with Google Benchmark", "thinbench_benchmarks");
   add_options(app, options);
-  if (!parse_or_help(app, {words.begin() + 1, words.end()})) return kSuccess;
+  if (!parse_or_help(app, {words.begin() + 1, words.end()}, std::cout)) return kSuccess;
   if (options.rows.filter.empty() && !filter.starts_with('-') && filter != "all") {
     options.rows.filter = filter;
   }

@@ -1,7 +1,5 @@
 #include "measure/inputs.hpp"
 
-#include <array>
-#include <cstdio>
 #include <regex>
 #include <sstream>
 #include <utility>
@@ -37,21 +35,15 @@ ByteImage tiled(const ByteImage& tile, Index width, Index height) {
 }
 
 ByteImage enlarged(const ByteImage& original, Index times) {
-  ByteImage image(original.width() * times, original.height() * times);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = original.at(x / times, y / times);
-  }
-  return image;
+  return image_by(original.width() * times, original.height() * times,
+                  [&](Index x, Index y) { return original.at(x / times, y / times); });
 }
 
 ByteImage small_copy_of(const ByteImage& image) {
   constexpr Index across = 5;
   constexpr Index down = 16;
-  ByteImage few((image.width() + across - 1) / across, (image.height() + down - 1) / down);
-  for (Index y = 0; y < few.height(); ++y) {
-    for (Index x = 0; x < few.width(); ++x) few.at(x, y) = image.at(x * across, y * down);
-  }
-  return few;
+  return image_by((image.width() + across - 1) / across, (image.height() + down - 1) / down,
+                  [&](Index x, Index y) { return image.at(x * across, y * down); });
 }
 
 ByteImage squares(Index size, Index side) {
@@ -59,26 +51,18 @@ ByteImage squares(Index size, Index side) {
     const Index phase = place % (2 * side);
     return phase >= side / 2 && phase < side / 2 + side;
   };
-  ByteImage image(size, size);
-  for (Index y = 0; y < size; ++y) {
-    for (Index x = 0; inside(y) && x < size; ++x) image.at(x, y) = inside(x) ? 255 : 0;
-  }
-  return image;
+  return image_by(size, size, [&](Index x, Index y) { return inside(x) && inside(y) ? 255 : 0; });
 }
 
 /// Dots on a grid at 45 degrees, 17 pixels apart, that grow from the top left to the bottom right,
 /// where what they leave are holes.
 ByteImage halftone(Index size) {
   constexpr Index period = 24;  // of x + y and of x - y
-  ByteImage image(size, size);
-  for (Index y = 0; y < size; ++y) {
-    for (Index x = 0; x < size; ++x) {
-      const Index u = 2 * ((x + y) % period) - period;
-      const Index v = 2 * ((x - y + size * period) % period) - period;
-      image.at(x, y) = (u * u + v * v) * size < period * period * (x + y) ? 255 : 0;
-    }
-  }
-  return image;
+  return image_by(size, size, [size](Index x, Index y) {
+    const Index u = 2 * ((x + y) % period) - period;
+    const Index v = 2 * ((x - y + size * period) % period) - period;
+    return (u * u + v * v) * size < period * period * (x + y) ? 255 : 0;
+  });
 }
 
 /// Lines of drawn characters with gaps between words, as a page of text scanned at 300 dpi.
@@ -191,14 +175,12 @@ TimedInput small_copy(const TimedInput& input) {
   return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
 }
 
-std::string pixel_hash(ConstImageView image) {
+std::uint64_t pixel_hash(ConstImageView image) {
   std::uint64_t hash = 0xCBF29CE484222325;
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 0x100000001B3;
   }
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  return hash;
 }
 
 }  // namespace thinbench

@@ -62,7 +62,7 @@ struct InputChoice {
 /// more than a word in a row and few rows, with all its parts and most of their holes.
 [[nodiscard]] TimedInput small_copy(const TimedInput& input);
 
-/// FNV-1a over the pixels, row by row, as 16 hexadecimal digits.
-[[nodiscard]] std::string pixel_hash(ConstImageView image);
+/// FNV-1a over the pixels, row by row.
+[[nodiscard]] std::uint64_t pixel_hash(ConstImageView image);
 
 }  // namespace thinbench

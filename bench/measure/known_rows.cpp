@@ -1,9 +1,7 @@
 #include "measure/known_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
@@ -11,10 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/case_json.hpp"
 #include "harness/splitmix64.hpp"
 #include "measure/timed_call.hpp"
 #include "peers/peers.hpp"
+#include "support/content_hash.hpp"
 #include "support/file_bytes.hpp"
 #include "support/progress.hpp"
 
@@ -62,26 +60,12 @@ InputChoice sources_of(const Json& sources) {
   return choice;
 }
 
-Json input_json(const TimedInput& input) {
-  return {{"name", input.name},
-          {"width", input.width()},
-          {"height", input.height()},
-          {"hash", pixel_hash(input.binary.view())},
-          {"grey_hash", pixel_hash(input.grey.view())},
-          {"foreground_pixels", foreground_pixels(input.binary.view())}};
-}
-
-Json row_json(const KnownRow& known) {
+Json known_json(const KnownRow& known) {
   const TimedRow& row = known.row;
   const bool is_reference = row.variant == nullptr;
-  Json object = case_json<Json>(*row.operation);
+  Json object = row_json(row);
   object.update(
-      {{"technique", is_reference ? "reference" : row.variant->technique},
-       {"isa", is_reference ? "baseline" : row.variant->isa_label()},
-       {"threads", row.threads},
-       {"scope", scope_name(row.scope)},
-       {"input", row.input->name},
-       {"counter", or_null(row.counter)},
+      {{"counter", or_null(row.counter)},
        {"plan_bytes", or_null(row.plan_bytes)},
        {"peer", row.is_peer()},
        {"default", !is_reference && is_default(*row.operation, *row.variant, row.input->width())},
@@ -108,14 +92,34 @@ Json peers_json(const std::vector<KnownRow>& rows) {
 
 }  // namespace
 
+Json input_json(const TimedInput& input) {
+  return {{"name", input.name},
+          {"width", input.width()},
+          {"height", input.height()},
+          {"hash", hash_text(pixel_hash(input.binary.view()))},
+          {"grey_hash", hash_text(pixel_hash(input.grey.view()))}};
+}
+
+Json row_json(const TimedRow& row) {
+  const Operation& operation = *row.operation;
+  const std::string_view plain = operation.operation;
+  return {{"case", operation.name},
+          {"operation", plain.empty() ? operation.name : plain},
+          {"border", operation.border ? border_name(*operation.border) : ""},
+          {"max_iterations", or_null(operation.max_iterations)},
+          {"technique", row.variant == nullptr ? "reference" : row.variant->technique},
+          {"isa", row.variant == nullptr ? "baseline" : row.variant->isa_label()},
+          {"threads", row.threads},
+          {"scope", scope_name(row.scope)},
+          {"input", row.input->name}};
+}
+
 std::string hash_of(const Outcome& outcome) {
-  std::uint64_t hash = std::stoull(pixel_hash(outcome.image.view()), nullptr, 16);
+  std::uint64_t hash = pixel_hash(outcome.image.view());
   for (const std::int64_t number : outcome.numbers) {
     hash = splitmix64(hash ^ static_cast<std::uint64_t>(number));
   }
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  return hash_text(hash);
 }
 
 /// The minimum counts: an interrupted call would make repetitions of too few calls. The first call
@@ -155,8 +159,11 @@ Json facts_json(const InputChoice& sources, const std::vector<TimedInput>& input
                 {"peers", peers_json(rows)},         {"rows", Json::object()},
                 {"skipped", Json::array()},          {"verified", selection.verified},
                 {"mismatches", selection.mismatches}};
-  for (const TimedInput& input : inputs) facts["inputs"].push_back(input_json(input));
-  for (const KnownRow& known : rows) facts["rows"][known.row.name] = row_json(known);
+  for (const TimedInput& input : inputs) {
+    facts["inputs"].push_back(input_json(input));
+    facts["inputs"].back()["foreground_pixels"] = foreground_pixels(input.binary.view());
+  }
+  for (const KnownRow& known : rows) facts["rows"][known.row.name] = known_json(known);
   for (const SkippedRow& row : selection.skipped) {
     facts["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
   }

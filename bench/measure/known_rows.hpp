@@ -27,6 +27,14 @@ struct KnownRow {
 /// The same for all. Rows of which a call takes more than `max_seconds` become skipped.
 [[nodiscard]] std::vector<KnownRow> calibrate_rows(Selection& selection, double max_seconds);
 
+/// "name", "width", "height" and the hashes of both images.
+[[nodiscard]] nlohmann::ordered_json input_json(const TimedInput& input);
+
+/// What a row is: "case", the unique name; "operation", the plain one; "border" (empty where the
+/// operation has none), "max_iterations" (null for no limit), "technique", "isa", "threads",
+/// "scope" and "input".
+[[nodiscard]] nlohmann::ordered_json row_json(const TimedRow& row);
+
 /// Facts on what was verified, for a program that starts measuring processes and reads their
 /// samples: "sources", "inputs", "peers", "rows" by name, "skipped", "verified" and "mismatches".
 [[nodiscard]] nlohmann::ordered_json facts_json(const InputChoice& sources,

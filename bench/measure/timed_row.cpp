@@ -12,6 +12,7 @@
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
+#include "support/text.hpp"
 #include "support/usage.hpp"
 #include "thinbench/isa.hpp"
 
@@ -343,7 +344,7 @@ Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Oper
 
 void report_skipped(const Selection& selection) {
   for (const auto& [reason, count] : reasons_of(selection)) {
-    std::cerr << "skipped " << count << (count == 1 ? " row: " : " rows: ") << reason << '\n';
+    std::cerr << "skipped " << counted(count, "row") << ": " << reason << '\n';
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/packing.hpp"
 #include "core/planes.hpp"
+#include "harness/library_operation.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
@@ -15,28 +16,22 @@ using detail::BitPlaneView;
 using detail::kWordBits;
 using detail::PlaneConversion;
 
-class CopyJob final : public Job {
- public:
-  void run(const ConstImageView& input, const ImageView& output) override {
+JobMaker copy() {
+  return job_maker<NoNumbers>([](const auto& input, const auto& output, auto&) {
     const auto bytes = static_cast<std::size_t>(input.width);
     for (Index y = 0; y < input.height && bytes > 0; ++y) {
       std::memcpy(output.row(y), input.row(y), bytes);
     }
-  }
-};
+  });
+}
 
 /// The reference: plain code.
-class PlainCopyJob final : public Job {
- public:
-  void run(const ConstImageView& input, const ImageView& output) override {
+JobMaker plain_copy() {
+  return job_maker<NoNumbers>([](const auto& input, const auto& output, auto&) {
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
     }
-  }
-};
-
-JobMaker plain_copy() {
-  return [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); };
+  });
 }
 
 Index words_of(const BitPlaneView& plane) {
@@ -71,23 +66,17 @@ class CopyBitsJob final : public Job {
   BitPlane target_;
 };
 
-/// Jobs that give all words combined by exclusive or: what must look at every word.
-class CombinedJob : public Job {
- public:
-  [[nodiscard]] std::vector<std::int64_t> numbers() const final {
-    return {static_cast<std::int64_t>(combined_)};
+/// All words combined by exclusive or: what must look at every word.
+struct Combined {
+  static constexpr bool kGivesImage = false;
+  std::uint64_t words = 0;
+  [[nodiscard]] std::vector<std::int64_t> numbers() const {
+    return {static_cast<std::int64_t>(words)};
   }
-  [[nodiscard]] std::string name_of_number(std::size_t) const final { return "words combined"; }
-  [[nodiscard]] bool gives_image() const final { return false; }
-
- protected:
-  void give(std::uint64_t combined) { combined_ = combined; }
-
- private:
-  std::uint64_t combined_ = 0;
+  [[nodiscard]] static std::string name_of_number(std::size_t) { return "words combined"; }
 };
 
-class ReadBitsJob final : public CombinedJob {
+class ReadBitsJob final : public ResultJob<Combined> {
  public:
   ReadBitsJob(Index width, Index height)
       : conversion_(detail::plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
@@ -105,7 +94,7 @@ class ReadBitsJob final : public CombinedJob {
       const std::uint64_t* row = from.row(y);
       for (Index i = 0; i < words; ++i) combined ^= row[i];
     }
-    give(combined);
+    result_.words = combined;
   }
 
  private:
@@ -114,18 +103,16 @@ class ReadBitsJob final : public CombinedJob {
 };
 
 /// The reference: plain code.
-class PlainReadJob final : public CombinedJob {
- public:
-  void run(const ConstImageView& input, const ImageView&) override {
-    std::uint64_t combined = 0;
+JobMaker plain_read() {
+  return job_maker<Combined>([](const auto& input, const auto&, Combined& combined) {
+    combined = {};
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) {
-        if (input.row(y)[x] != 0) combined ^= std::uint64_t{1} << x % kWordBits;
+        if (input.row(y)[x] != 0) combined.words ^= std::uint64_t{1} << x % kWordBits;
       }
     }
-    give(combined);
-  }
-};
+  });
+}
 
 std::vector<Variant> with_kernel_scope(Variant peer) {
   peer.has_kernel_scope = true;
@@ -136,9 +123,7 @@ std::vector<Variant> with_kernel_scope(Variant peer) {
 
 std::vector<Variant> copy_peers(const Operation& operation) {
   if (operation.takes != InputKind::grey) return {};
-  return {peer_variant(
-      "copy", "no operation: the same bytes copied",
-      [](Index, Index, int) { return std::make_unique<CopyJob>(); }, plain_copy())};
+  return {peer_variant("copy", "no operation: the same bytes copied", copy(), plain_copy())};
 }
 
 std::vector<Variant> copy_bits_peers(const Operation& operation) {
@@ -153,7 +138,7 @@ std::vector<Variant> copy_bits_peers(const Operation& operation) {
     return with_kernel_scope(peer_variant(
         "read_bits", "no operation: the image packed, its words read",
         [](Index width, Index height, int) { return std::make_unique<ReadBitsJob>(width, height); },
-        [](Index, Index, int) { return std::make_unique<PlainReadJob>(); }));
+        plain_read()));
   }
   return {};
 }

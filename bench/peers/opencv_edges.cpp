@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "harness/families.hpp"
+#include "harness/library_operation.hpp"
 #include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
@@ -12,38 +12,30 @@ namespace {
 
 constexpr int kSobelScale = 4;
 
-class SobelJob final : public Job {
- public:
-  explicit SobelJob(bool with_brightness) : with_brightness_(with_brightness) {
-    cv::setNumThreads(1);
-  }
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    if (input.width == 0 || input.height == 0) return;
-    const cv::Mat source = mat_of(input);
-    cv::Mat edges = mat_of(output);
-    cv::spatialGradient(source, gx_, gy_, 3, cv::BORDER_REPLICATE);
-    cv::absdiff(gx_, cv::Scalar(0), gx_);
-    cv::absdiff(gy_, cv::Scalar(0), gy_);
-    cv::add(gx_, gy_, gx_);
-    cv::compare(gx_, thresholds_.gradient_threshold * kSobelScale, edges, cv::CMP_GT);
-    if (!with_brightness_) return;
-    cv::dilate(source, brightest_, cv::Mat());
-    cv::compare(brightest_, thresholds_.brightness_threshold, brightest_, cv::CMP_GT);
-    cv::bitwise_and(edges, brightest_, edges);
-  }
-
- private:
-  bool with_brightness_;
-  EdgeThresholds thresholds_;
-  cv::Mat gx_;
-  cv::Mat gy_;
-  cv::Mat brightest_;
+struct Gradients {
+  cv::Mat gx;
+  cv::Mat gy;
+  cv::Mat brightest;
 };
 
 JobMaker sobel(bool with_brightness) {
-  return
-      [with_brightness](Index, Index, int) { return std::make_unique<SobelJob>(with_brightness); };
+  return job_maker<NoNumbers>(
+      [with_brightness, own = Gradients()](const auto& input, const auto& output, auto&) mutable {
+        if (input.width == 0 || input.height == 0) return;
+        const EdgeThresholds thresholds;
+        auto& [gx, gy, brightest] = own;
+        const cv::Mat source = mat_of(input);
+        cv::Mat edges = mat_of(output);
+        cv::spatialGradient(source, gx, gy, 3, cv::BORDER_REPLICATE);
+        cv::absdiff(gx, cv::Scalar(0), gx);
+        cv::absdiff(gy, cv::Scalar(0), gy);
+        cv::add(gx, gy, gx);
+        cv::compare(gx, thresholds.gradient_threshold * kSobelScale, edges, cv::CMP_GT);
+        if (!with_brightness) return;
+        cv::dilate(source, brightest, cv::Mat());
+        cv::compare(brightest, thresholds.brightness_threshold, brightest, cv::CMP_GT);
+        cv::bitwise_and(edges, brightest, edges);
+      });
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "holes.hpp"
+#include "harness/library_operation.hpp"
 #include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
@@ -15,39 +15,41 @@ namespace {
 
 constexpr int kEight = 8;
 
-/// A job that gives numbers; images without pixels are not shown to OpenCV.
-class CountingJob : public Job {
- public:
-  CountingJob() { cv::setNumThreads(1); }
-  void run(const ConstImageView& input, const ImageView&) final {
-    numbers_.clear();
-    if (input.width > 0 && input.height > 0) count(mat_of(input));
+struct Numbers {
+  static constexpr bool kGivesImage = false;
+  std::vector<std::int64_t> list;
+  [[nodiscard]] std::vector<std::int64_t> numbers() const { return list; }
+  [[nodiscard]] static std::string name_of_number(std::size_t index) {
+    return "number " + std::to_string(index);
   }
-  [[nodiscard]] std::vector<std::int64_t> numbers() const final { return numbers_; }
-  [[nodiscard]] bool gives_image() const final { return false; }
-
- protected:
-  virtual void count(const cv::Mat& source) = 0;
-  std::vector<std::int64_t> numbers_;
 };
+
+/// Images without pixels are not shown to OpenCV, nor to references of what it gives.
+template <class Count>
+JobMaker counting_peer(Count count) {
+  return job_maker<Numbers>([count](const auto& input, const auto&, Numbers& found) mutable {
+    found.list.clear();
+    if (input.width > 0 && input.height > 0) found.list = count(input);
+  });
+}
 
 /// Objects, holes; areas and centres of the polygons are computed and, not being those of the
 /// pixels, compared with nothing.
-class ContoursJob final : public CountingJob {
-  void count(const cv::Mat& source) override {
-    cv::findContours(source, contours_, hierarchy_, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
-    moments_.clear();
+struct Contours {
+  std::vector<std::int64_t> operator()(const ConstImageView& image) {
+    cv::findContours(mat_of(image), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
+    moments.clear();
     std::int64_t holes = 0;
-    for (std::size_t i = 0; i < contours_.size(); ++i) {
-      moments_.push_back(cv::moments(contours_[i]));
-      holes += hierarchy_[i][3] >= 0 ? 1 : 0;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+      moments.push_back(cv::moments(contours[i]));
+      holes += hierarchy[i][3] >= 0 ? 1 : 0;
     }
-    numbers_ = {static_cast<std::int64_t>(contours_.size()) - holes, holes};
+    return {static_cast<std::int64_t>(contours.size()) - holes, holes};
   }
 
-  std::vector<std::vector<cv::Point>> contours_;
-  std::vector<cv::Vec4i> hierarchy_;
-  std::vector<cv::Moments> moments_;
+  std::vector<std::vector<cv::Point>> contours;
+  std::vector<cv::Vec4i> hierarchy;
+  std::vector<cv::Moments> moments;
 };
 
 /// Area and box of each object, in the order of these numbers: OpenCV's own order is not by first
@@ -63,68 +65,51 @@ std::vector<std::int64_t> flattened(std::vector<AreaAndBox> objects) {
   return numbers;
 }
 
-class StatsJob final : public CountingJob {
-  void count(const cv::Mat& source) override {
-    const int labels = cv::connectedComponentsWithStats(source, labels_, stats_, centres_, kEight);
-    objects_.clear();
-    for (int label = 1; label < labels; ++label) {
-      const int* of = stats_.ptr<int>(label);
-      objects_.push_back({of[cv::CC_STAT_AREA], of[cv::CC_STAT_LEFT], of[cv::CC_STAT_TOP],
-                          of[cv::CC_STAT_WIDTH], of[cv::CC_STAT_HEIGHT]});
+struct Stats {
+  std::vector<std::int64_t> operator()(const ConstImageView& image) {
+    const int count =
+        cv::connectedComponentsWithStats(mat_of(image), labels, stats, centres, kEight);
+    objects.clear();
+    for (int label = 1; label < count; ++label) {
+      const int* of = stats.ptr<int>(label);
+      objects.push_back({of[cv::CC_STAT_AREA], of[cv::CC_STAT_LEFT], of[cv::CC_STAT_TOP],
+                         of[cv::CC_STAT_WIDTH], of[cv::CC_STAT_HEIGHT]});
     }
-    numbers_ = flattened(objects_);
+    return flattened(objects);
   }
 
-  cv::Mat labels_;
-  cv::Mat stats_;
-  cv::Mat centres_;
-  std::vector<AreaAndBox> objects_;
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centres;
+  std::vector<AreaAndBox> objects;
 };
 
-class ComponentsJob final : public CountingJob {
-  void count(const cv::Mat& source) override {
-    numbers_ = {cv::connectedComponents(source, labels_, kEight) - 1};
+struct Components {
+  std::vector<std::int64_t> operator()(const ConstImageView& image) {
+    return {cv::connectedComponents(mat_of(image), labels, kEight) - 1};
   }
 
-  cv::Mat labels_;
+  cv::Mat labels;
 };
 
-/// What a peer gives, from the reference's lists.
-template <class Numbers>
-class ListReference final : public CountingJob {
-  void count(const cv::Mat& source) override {
-    numbers_ = Numbers{}(
-        reference::holes({source.data, source.cols, source.rows, static_cast<Index>(source.step)}));
+// What these give, from the reference's lists.
+
+std::vector<std::int64_t> objects_and_holes(const ConstImageView& image) {
+  const reference::Regions found = reference::holes(image);
+  return {std::ssize(found.objects), std::ssize(found.holes)};
+}
+
+std::vector<std::int64_t> objects_alone(const ConstImageView& image) {
+  return {std::ssize(reference::holes(image).objects)};
+}
+
+std::vector<std::int64_t> areas_and_boxes(const ConstImageView& image) {
+  std::vector<AreaAndBox> objects;
+  for (const Region& object : reference::holes(image).objects) {
+    objects.push_back({object.area, object.left, object.top, object.right - object.left + 1,
+                       object.bottom - object.top + 1});
   }
-};
-
-struct ObjectsAndHoles {
-  std::vector<std::int64_t> operator()(const reference::Regions& found) const {
-    return {static_cast<std::int64_t>(found.objects.size()),
-            static_cast<std::int64_t>(found.holes.size())};
-  }
-};
-
-struct Objects {
-  std::vector<std::int64_t> operator()(const reference::Regions& found) const {
-    return {static_cast<std::int64_t>(found.objects.size())};
-  }
-};
-
-struct AreasAndBoxes {
-  std::vector<std::int64_t> operator()(const reference::Regions& found) const {
-    std::vector<AreaAndBox> objects;
-    for (const Region& object : found.objects) {
-      objects.push_back({object.area, object.left, object.top, object.right - object.left + 1,
-                         object.bottom - object.top + 1});
-    }
-    return flattened(std::move(objects));
-  }
-};
-
-template <class MadeJob>
-JobMaker maker() {
-  return [](Index, Index, int) { return std::make_unique<MadeJob>(); };
+  return flattened(std::move(objects));
 }
 
 }  // namespace
@@ -132,14 +117,14 @@ JobMaker maker() {
 std::vector<Variant> opencv_holes_peers(const Operation& operation) {
   Variant contours =
       peer_variant("opencv_contours", "OpenCV: findContours (RETR_CCOMP) and moments of polygons",
-                   maker<ContoursJob>(), maker<ListReference<ObjectsAndHoles>>());
+                   counting_peer(Contours()), counting_peer(&objects_and_holes));
   // Four times the pixels, and so the contours, take it more than twenty times as long.
   const Variant stats =
       peer_variant("opencv_stats", "OpenCV: connectedComponentsWithStats, objects without holes",
-                   maker<StatsJob>(), maker<ListReference<AreasAndBoxes>>());
+                   counting_peer(Stats()), counting_peer(&areas_and_boxes));
   const Variant components =
       peer_variant("opencv_components", "OpenCV: connectedComponents, objects without sums",
-                   maker<ComponentsJob>(), maker<ListReference<Objects>>());
+                   counting_peer(Components()), counting_peer(&objects_alone));
   if (operation.name == "holes") return {contours, stats};
   if (operation.name == "components") return {stats};
   if (operation.name == "euler_number") return {components};

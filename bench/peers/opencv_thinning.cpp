@@ -3,33 +3,23 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
+#include "harness/library_operation.hpp"
 #include "peers/mat_of.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
 namespace {
 
-class ThinningJob final : public Job {
- public:
-  explicit ThinningJob(cv::ximgproc::ThinningTypes type) : type_(type) { cv::setNumThreads(1); }
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    if (input.width == 0 || input.height == 0) return;
-    cv::ximgproc::thinning(mat_of(input), skeleton_, type_);
-    skeleton_.copyTo(mat_of(output));
-  }
-
- private:
-  cv::ximgproc::ThinningTypes type_;
-  cv::Mat skeleton_;
-};
-
 Variant thinning_peer(const Operation& operation, cv::ximgproc::ThinningTypes type) {
-  Variant peer = peer_variant(
+  return peer_variant(
       "opencv", "OpenCV: ximgproc::thinning, which keeps the border",
-      [type](Index, Index, int) { return std::make_unique<ThinningJob>(type); },
+      job_maker<NoNumbers>(
+          [type, skeleton = cv::Mat()](const auto& input, const auto& output, auto&) mutable {
+            if (input.width == 0 || input.height == 0) return;
+            cv::ximgproc::thinning(mat_of(input), skeleton, type);
+            skeleton.copyTo(mat_of(output));
+          }),
       image_only(operation.reference));
-  return peer;
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+#include <opencv2/core.hpp>
+
+#include "harness/library_operation.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -10,18 +14,6 @@ using PeersOf = std::vector<Variant> (*)(const Operation&);
 constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,   &copy_bits_peers,
                                  &opencv_holes_peers, &opencv_labels_peers, &opencv_thinning_peers,
                                  &leptonica_peers};
-
-class ImageOnlyJob final : public Job {
- public:
-  explicit ImageOnlyJob(std::unique_ptr<Job> job) : job_(std::move(job)) {}
-
-  void run(const ConstImageView& input, const ImageView& output) override {
-    job_->run(input, output);
-  }
-
- private:
-  std::unique_ptr<Job> job_;
-};
 
 }  // namespace
 
@@ -45,6 +37,7 @@ const std::vector<Peer>& peers() {
 
 const std::vector<Operation>& operations_with_peers() {
   static const std::vector<Operation> operations = [] {
+    cv::setNumThreads(1);
     std::vector<Operation> all = all_operations();
     for (Operation& operation : all) {
       for (const PeersOf peers_of : kAllPeers) {
@@ -69,7 +62,11 @@ Variant peer_variant(std::string_view technique, std::string_view description, J
 
 JobMaker image_only(JobMaker make_job) {
   return [make_job = std::move(make_job)](Index width, Index height, int threads) {
-    return std::make_unique<ImageOnlyJob>(make_job(width, height, threads));
+    return function_job<NoNumbers>(
+        width, height,
+        [job = make_job(width, height, threads)](const auto& input, const auto& output, auto&) {
+          job->run(input, output);
+        });
   };
 }
 

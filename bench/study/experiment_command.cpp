@@ -81,9 +81,7 @@ AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
                     const Experiment& experiment) {
   CLI::App* app = parent.add_subcommand(name, what);
   const auto options = std::make_shared<ExperimentOptions>();
-  app->add_option("--out", options->out, "Write the data here, as JSON")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(*app, "--out", options->out, "Write the data here, as JSON");
   const std::string call = "\n  thinbench-study experiment " + name;
   app->footer("Examples:" + call + call + " --out " + name + ".json");
   const auto work = [options, experiment](const Console& console) {

@@ -7,6 +7,7 @@
 #include "counts/documents.hpp"
 #include "measure/timed_row.hpp"
 #include "study/study.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -58,8 +59,8 @@ void report_skipped(const RowCounts& counts, std::uint64_t max_steps, std::ostre
     log << counts.callgrind.why_not << ": rows are counted by single steps instead\n";
   }
   if (counts.skipped.empty()) return;
-  log << counts.skipped.size() << (counts.skipped.size() == 1 ? " row was" : " rows were")
-      << " not counted: more than " << max_steps << " single steps\n";
+  log << counted(counts.skipped.size(), "row was", "rows were") << " not counted: more than "
+      << max_steps << " single steps\n";
 }
 
 int run(const InstructionsOptions& options, const Console& console) {
@@ -79,18 +80,14 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   app.add_option("--filter", options.filter, "Only rows whose name contains a match")
       ->type_name("REGEX");
   CLI::Option* image =
-      app.add_option("--image", options.image, "Image to take instead of the scene")
-          ->check(not_empty())
-          ->type_name("FILE");
+      add_file_option(app, "--image", options.image, "Image to take instead of the scene");
   add_binarise_options(app, options.binarise, image);
   app.add_option("--max-steps", options.max_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000)")
       ->check(whole_number(1, 100000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
-  app.add_option("--out", options.out, "Write the data here, as JSON")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(app, "--out", options.out, "Write the data here, as JSON");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/aligned.hpp"
 #include "cli/command.hpp"
 #include "core/thread_team.hpp"
+#include "measure/timed_row.hpp"
 #include "peers/peers.hpp"
 #include "study/study.hpp"
 
@@ -33,14 +34,11 @@ struct ListedRow {
 
 /// The variant that the library takes here, on one thread; nullptr where there is none.
 const Variant* fastest_of(const Operation& operation) {
-  const Variant* fastest = nullptr;
-  for (const Variant& variant : operation.variants) {
-    const bool is_candidate =
-        !variant.is_peer && !variant.threaded && variant.unavailable_reason(kListedWidth).empty();
-    if (!is_candidate) continue;
-    if (fastest == nullptr || variant.priority > fastest->priority) fastest = &variant;
-  }
-  return fastest;
+  const auto found = std::ranges::find_if(operation.variants, [&](const Variant& one) {
+    return !one.threaded && one.unavailable_reason(kListedWidth).empty() &&
+           is_default(operation, one, kListedWidth);
+  });
+  return found == operation.variants.end() ? nullptr : &*found;
 }
 
 /// Borders and limits are options of an operation, not operations.

@@ -106,10 +106,6 @@ int run_cluster(const ClusterOptions& options, const Console& console) {
   return kSuccess;
 }
 
-void add_file_option(CLI::App& app, const std::string& name, std::string& path, const char* what) {
-  app.add_option(name, path, what)->check(not_empty())->type_name("FILE");
-}
-
 Command add_two_layer(CLI::App& train) {
   CLI::App* app = train.add_subcommand(
       "two-layer", "Back-propagation with the sigmoid until all 256 descriptors are right");

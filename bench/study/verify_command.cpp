@@ -1,6 +1,5 @@
 // thinbench-study verify: every variant against its reference.
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,6 +16,8 @@
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"
 #include "study/study.hpp"
+#include "support/progress.hpp"
+#include "support/timing.hpp"
 #include "thinbench/options.hpp"
 
 namespace thinbench {
@@ -98,79 +99,6 @@ std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::s
   return sets;
 }
 
-/// How far a long run is: one line that renews itself on a terminal, one line per set elsewhere.
-/// Counts images and the time they take, which grows with their pixels.
-class VerifyProgress {
- public:
-  /// Counts the images of all sets beforehand, to know how much is left.
-  VerifyProgress(const Console& console, const std::vector<TestImageSet>& sets)
-      : console_(console), sets_(sets), loads_(sets.size()) {
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-      sets[set].generate([&](const TestImage& image) { loads_[set].add(image); });
-      all_work_ += loads_[set].work;
-    }
-    start_ = Clock::now();
-  }
-
-  void begin_set(std::size_t set) {
-    set_ = set;
-    set_done_ = {};
-    set_start_ = Clock::now();
-  }
-
-  void image_done(const TestImage& image) {
-    const double before = set_done_.work;
-    set_done_.add(image);
-    work_done_ += set_done_.work - before;
-    if (console_.err_is_terminal && Clock::now() - renewed_ >= kRenewal) renew_line();
-  }
-
-  void end_set() {
-    console_.err << fmt::format("{}{}: {} images in {:.1f} s\n",
-                                console_.err_is_terminal ? kClearLine : "", sets_[set_].name,
-                                set_done_.images, seconds_since(set_start_))
-                 << std::flush;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr auto kRenewal = std::chrono::milliseconds(200);
-  static constexpr const char* kClearLine = "\r\033[K";
-
-  struct Load {
-    long images = 0;
-    double work = 0;
-    void add(const TestImage& image) {
-      constexpr double kImageOverhead = 140;  // what an image costs beside its pixels, in pixels
-      ++images;
-      work += static_cast<double>(image.image.width() * image.image.height()) + kImageOverhead;
-    }
-  };
-
-  static double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
-  void renew_line() {
-    renewed_ = Clock::now();
-    const double left = seconds_since(start_) * (all_work_ - work_done_) / work_done_;
-    console_.err << fmt::format("{}{}: {} of {} images; about {:.0f} s left for all", kClearLine,
-                                sets_[set_].name, set_done_.images, loads_[set_].images, left)
-                 << std::flush;
-  }
-
-  Console console_;
-  const std::vector<TestImageSet>& sets_;
-  std::vector<Load> loads_;
-  double all_work_ = 0;
-  Load set_done_;
-  double work_done_ = 0;
-  std::size_t set_ = 0;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point set_start_ = start_;
-  Clock::time_point renewed_ = start_;
-};
-
 void print_verdict(const Row& row, const VerificationResult& verdict, std::ostream& out) {
   if (!verdict.first_mismatch.empty()) {
     out << "mismatch: " << verdict.first_mismatch;
@@ -193,16 +121,29 @@ std::vector<Row> chosen_rows(const VerifyOptions& options) {
   }
 }
 
-void verify(Verifier& verifier, const std::vector<TestImageSet>& sets, const Console& console) {
-  VerifyProgress progress(console, sets);
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    progress.begin_set(set);
-    sets[set].generate([&](const TestImage& image) {
+/// What the image takes, in pixels.
+double work_of(const TestImage& image) {
+  constexpr double kImageOverhead = 140;
+  return static_cast<double>(image.image.width() * image.image.height()) + kImageOverhead;
+}
+
+/// Goes through the images of the set twice: before, to know how much there is.
+void verify(Verifier& verifier, const TestImageSet& set, std::ostream& log) {
+  double work = 0;
+  long images = 0;
+  set.generate([&](const TestImage& image) {
+    work += work_of(image);
+    ++images;
+  });
+  const double milliseconds = milliseconds_of([&] {
+    Progress progress(set.name, work);
+    set.generate([&](const TestImage& image) {
       verifier.show(image);
-      progress.image_done(image);
+      progress.advance(work_of(image));
     });
-    progress.end_set();
-  }
+  });
+  log << fmt::format("{}: {} images in {:.1f} s\n", set.name, images, milliseconds / 1000)
+      << std::flush;
 }
 
 bool any_runs_here(const std::vector<Row>& rows) {
@@ -234,7 +175,9 @@ int run(const VerifyOptions& options, const Console& console) {
   const tbb::global_control allowed(
       tbb::global_control::max_allowed_parallelism,
       static_cast<std::size_t>(detail::startable_threads(max_threads)));
-  if (any_runs_here(verifier.rows())) verify(verifier, sets, console);
+  if (any_runs_here(verifier.rows())) {
+    for (const TestImageSet& set : sets) verify(verifier, set, console.err);
+  }
   return report_verdicts(verifier, console.out);
 }
 

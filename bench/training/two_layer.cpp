@@ -112,7 +112,7 @@ BackPropagation::BackPropagation(const KeepTable& table, int hidden, Random& ran
     : table_(table), hidden_(static_cast<std::size_t>(hidden)), answers_(hidden_) {
   constexpr double kFirstStep = 0.02;
   weights_.resize(hidden_ * kRow + hidden_ + 1);
-  for (double& weight : weights_) weight = random.symmetric(1.0);
+  for (double& weight : weights_) weight = symmetric(random);
   previous_.assign(weights_.size(), 0.0);
   step_.assign(weights_.size(), kFirstStep);
   for (int k = 0; k < kDescriptors; ++k) {

@@ -29,7 +29,7 @@ TEST_F(BatchFailures, failures_are_counted_listed_and_written_to_the_manifest) {
             "  cannot read 'in/empty.jpg': the file is empty\n"
             "  cannot read 'in/new\\x0aline.png': it is not an image of a known format\n");
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "60.png", "manifest.csv"}));
-  const ManifestText text = parse_manifest(manifest(), ManifestFormat::csv);
+  const ManifestText text = parse_manifest(manifest(), TableFormat::csv);
   ASSERT_EQ(text.lines.size(), 6U);
   EXPECT_EQ(text.lines[5].output, "new\nline.png");
   EXPECT_TRUE(text.lines[5].failed);
@@ -189,7 +189,7 @@ TEST_F(BatchFailures, file_that_is_no_manifest_or_belongs_to_another_run_is_neve
     EXPECT_EQ(bytes_of(file), before);
   }
   close(held);
-  EXPECT_EQ(manifest_format("A.CSV"), ManifestFormat::csv);
+  EXPECT_EQ(table_format("--manifest", "A.CSV"), TableFormat::csv);
 }
 
 TEST_F(BatchFailures, abandoned_temporary_files_are_removed) {

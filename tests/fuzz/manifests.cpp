@@ -8,7 +8,7 @@ namespace thinbench {
 namespace {
 
 /// The lines, one after the other, are the text up to its last complete line.
-void read(std::string_view text, ManifestFormat format) {
+void read(std::string_view text, TableFormat format) {
   const ManifestText manifest = parse_manifest(text, format);
   std::string lines;
   for (const ManifestLine& line : manifest.lines) lines += line.text;
@@ -19,7 +19,7 @@ void read(std::string_view text, ManifestFormat format) {
 }  // namespace
 
 void try_input(ByteSource& input) {
-  const ManifestFormat format = input.once_in(2) ? ManifestFormat::csv : ManifestFormat::json_lines;
+  const TableFormat format = input.once_in(2) ? TableFormat::csv : TableFormat::json_lines;
   must_succeed_or_explain<std::runtime_error>([&] { read(input.rest(), format); });
 }
 

@@ -102,6 +102,14 @@ TEST(Job, without_a_separate_kernel_rejects_the_call) {
   EXPECT_THROW(job.kernel(), std::logic_error);
 }
 
+TEST(ThinByReference, rejects_rules_without_a_reference) {
+  ByteImage image(3, 3);
+  const reference::Repetition outside_is_foreground = {Border::foreground};
+  EXPECT_THROW(static_cast<void>(reference_named("no_such_rule")), std::logic_error);
+  EXPECT_THROW(thin_by_reference(Rule::mb2, outside_is_foreground, image.view(), image.view()),
+               std::logic_error);
+}
+
 TEST(Verifier, skips_variants_of_another_input_kind) {
   Verifier verifier(matching_rows("thin_naccache_shinghal/lut/", {2}));
   verifier.show({"grey", grey_noise_image(9, 9, 0, 255, 1), InputKind::grey});

@@ -124,11 +124,11 @@ TEST(SmallCopy, has_few_rows_of_more_than_a_word) {
 /// Of 8.4 megapixels, as `./study pages` draws them.
 TEST(DrawnInput, pages_are_the_same_bytes_on_every_machine) {
   const auto hash = [](const char* name) { return pixel_hash(drawn_input(name).binary.view()); };
-  EXPECT_EQ(hash("halftone_2896"), "27a0c874f34c89ce");
-  EXPECT_EQ(hash("page_2896"), "ee6f010a79e16fbd");
-  EXPECT_EQ(hash("noise_2896_5_1"), "06361418067ea8b1");
-  EXPECT_EQ(hash("noise_2896_41_1"), "981086f8cf6edf10");
-  EXPECT_EQ(hash("noise_2896_50_4"), "33cb74b440e3feb5");
+  EXPECT_EQ(hash("halftone_2896"), 0x27a0c874f34c89ceU);
+  EXPECT_EQ(hash("page_2896"), 0xee6f010a79e16fbdU);
+  EXPECT_EQ(hash("noise_2896_5_1"), 0x06361418067ea8b1U);
+  EXPECT_EQ(hash("noise_2896_41_1"), 0x981086f8cf6edf10U);
+  EXPECT_EQ(hash("noise_2896_50_4"), 0x33cb74b440e3feb5U);
 }
 
 TEST(DrawnInput, a_page_is_empty_where_there_is_no_room_for_a_line) {

@@ -1,4 +1,4 @@
-// Images made by a function of their places, of other images' pixels, or by thinning.
+// Images made of other images' pixels or by thinning.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,6 @@
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
-
-/// Pixel (x, y) is of(x, y).
-template <class Of>
-ByteImage image_by(Index width, Index height, const Of& of) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) = static_cast<std::uint8_t>(of(x, y));
-  }
-  return image;
-}
 
 /// Pixels that are of(pixel).
 template <class Of>

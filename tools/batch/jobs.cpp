@@ -39,8 +39,7 @@ BatchJob job_of(const BatchInput& input, const std::string& suffix,
 
 /// Only files whose name says that they are TIFF are looked at.
 int pages_of(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension != ".tif" && extension != ".tiff") return 1;
+  if (!is_tiff_extension(extension_of(path))) return 1;
   try {
     return page_count(read_file(path));
   } catch (const FileError&) {

@@ -15,7 +15,7 @@
 namespace thinbench {
 
 Manifest::Manifest(std::string path, bool resumes)
-    : path_(std::move(path)), format_(manifest_format(path_)), resumes_(resumes) {
+    : path_(std::move(path)), format_(table_format("--manifest", path_)), resumes_(resumes) {
   check_target(path_);
   const bool is_new = access(path_.c_str(), F_OK) != 0;
   file_.emplace(path_, path_, O_APPEND);
@@ -48,17 +48,11 @@ void Manifest::read_lines() {
 }
 
 void Manifest::write_text(const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = write(file_->descriptor(), text.data() + done, text.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      static_cast<void>(!ftruncate(file_->descriptor(), static_cast<off_t>(size_)));
-      errno = error;
-      cannot_write_by_errno(path_);
-    }
-    done += static_cast<std::size_t>(written);
+  if (!write_all(file_->descriptor(), text)) {
+    const int error = errno;
+    static_cast<void>(!ftruncate(file_->descriptor(), static_cast<off_t>(size_)));
+    errno = error;
+    cannot_write_by_errno(path_);
   }
   size_ += text.size();
 }

@@ -39,7 +39,7 @@ class Manifest {
   void write_text(const std::string& text);
 
   std::string path_;
-  ManifestFormat format_;
+  TableFormat format_;
   bool resumes_;
   std::optional<LockedFile> file_;
   std::size_t size_ = 0;

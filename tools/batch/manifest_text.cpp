@@ -11,7 +11,6 @@
 
 #include "support/json_field.hpp"
 #include "support/text.hpp"
-#include "support/usage.hpp"
 
 namespace thinbench {
 namespace {
@@ -122,7 +121,7 @@ ManifestText parse_csv(std::string_view text) {
   CsvReader reader(text);
   ManifestText result;
   const auto head = reader.next();
-  if (!head && manifest_head(ManifestFormat::csv).starts_with(text)) return result;
+  if (!head && manifest_head(TableFormat::csv).starts_with(text)) return result;
   if (head != names) fail("its first line does not name the columns");
   for (std::size_t start = reader.end(); const auto cells = reader.next(); start = reader.end()) {
     if (cells->size() != names.size()) fail("a line has the wrong number of columns");
@@ -167,38 +166,29 @@ ManifestText parse_json_lines(std::string_view text) {
 
 }  // namespace
 
-ManifestFormat manifest_format(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".csv") return ManifestFormat::csv;
-  if (extension == ".jsonl") return ManifestFormat::json_lines;
-  throw UsageError("--manifest: expected a name that ends in .csv or .jsonl, got '" + path + "'");
-}
-
-void check_name(const std::string& name, ManifestFormat format) {
+void check_name(const std::string& name, TableFormat format) {
   try {
-    if (format == ManifestFormat::json_lines) static_cast<void>(Json(name).dump());
+    if (format == TableFormat::json_lines) static_cast<void>(Json(name).dump());
   } catch (const Json::exception&) {
     throw std::runtime_error("a manifest in JSON cannot hold the name '" + name +
                              "', which is not UTF-8; use one in CSV");
   }
 }
 
-std::string manifest_head(ManifestFormat format) {
-  return format == ManifestFormat::csv ? fmt::format("{}\n", fmt::join(column_names(), ",")) : "";
+std::string manifest_head(TableFormat format) {
+  return format == TableFormat::csv ? fmt::format("{}\n", fmt::join(column_names(), ",")) : "";
 }
 
-std::string manifest_line(const BatchRecord& record, ManifestFormat format) {
+std::string manifest_line(const BatchRecord& record, TableFormat format) {
   const Json json = json_of(record);
-  if (format == ManifestFormat::json_lines) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-  }
+  if (format == TableFormat::json_lines) return json_line(json);
   Cells cells;
   for (const Json& value : json) cells.push_back(cell_of(value));
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
-ManifestText parse_manifest(std::string_view text, ManifestFormat format) {
-  return format == ManifestFormat::csv ? parse_csv(text) : parse_json_lines(text);
+ManifestText parse_manifest(std::string_view text, TableFormat format) {
+  return format == TableFormat::csv ? parse_csv(text) : parse_json_lines(text);
 }
 
 }  // namespace thinbench

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/text.hpp"
 #include "thinbench/image_view.hpp"
 
 namespace thinbench {
@@ -50,20 +51,15 @@ struct ManifestText {
   std::size_t size = 0;  // bytes up to the end of the last line that is complete
 };
 
-enum class ManifestFormat : std::uint8_t { csv, json_lines };
-
-/// By the extension, .csv or .jsonl. Throws UsageError for others.
-[[nodiscard]] ManifestFormat manifest_format(const std::string& path);
-
 /// Throws std::runtime_error where the format cannot hold the name of a file.
-void check_name(const std::string& name, ManifestFormat format);
+void check_name(const std::string& name, TableFormat format);
 
 /// What comes before the first record: the names of the columns; nothing for JSON.
-[[nodiscard]] std::string manifest_head(ManifestFormat format);
+[[nodiscard]] std::string manifest_head(TableFormat format);
 
-[[nodiscard]] std::string manifest_line(const BatchRecord& record, ManifestFormat format);
+[[nodiscard]] std::string manifest_line(const BatchRecord& record, TableFormat format);
 
 /// Ignores a truncated last line. Throws std::runtime_error where the text is no manifest.
-[[nodiscard]] ManifestText parse_manifest(std::string_view text, ManifestFormat format);
+[[nodiscard]] ManifestText parse_manifest(std::string_view text, TableFormat format);
 
 }  // namespace thinbench

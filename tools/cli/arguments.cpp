@@ -114,6 +114,11 @@ CLI::Validator file_name() {
           ""};
 }
 
+CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::string& path,
+                             const std::string& what, const CLI::Validator& check) {
+  return app.add_option(name, path, what)->check(check)->type_name("FILE");
+}
+
 void add_input(CLI::App& app, std::string& in) {
   app.add_option("IN", in, "Image to read; - reads standard input")->required()->type_name("");
 }
@@ -164,6 +169,12 @@ void check_replaced(const FileBytes& in, const std::string& out) {
   throw UsageError(fmt::format(
       "'{}' has {} pages, of which one would remain; give OUT another name, or use 'batch'", out,
       pages));
+}
+
+void check_sides(const std::string& file, Index width, Index height) {
+  if (std::max(width, height) <= kMaxDistanceSide) return;
+  throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", file,
+                              kMaxDistanceSide, width, height));
 }
 
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
@@ -282,13 +293,9 @@ CLI::Option* add_background(CLI::App& app, std::optional<Backdrop>& backdrop) {
 
 /// From "10,20,300x200".
 Crop crop_from(const std::string& text) {
-  std::smatch parts;
-  const std::string number = "([0-9]{1,10})";
-  const std::regex form(number + "," + number + "," + number + "x" + number);
-  if (std::regex_match(text, parts, form)) {
-    const Crop crop = {std::stol(parts[1]), std::stol(parts[2]), std::stol(parts[3]),
-                       std::stol(parts[4])};
-    if (crop.width > 0 && crop.height > 0) return crop;
+  const auto numbers = whole_numbers(text, "N,N,NxN", 10);
+  if (!numbers.empty() && numbers[2] > 0 && numbers[3] > 0) {
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
   }
   throw UsageError("--crop: expected X,Y,WIDTHxHEIGHT such as 10,20,300x200, got '" + text + "'");
 }
@@ -313,6 +320,17 @@ CLI::Option* add_blur(CLI::App& app, double& sigma) {
 
 }  // namespace
 
+std::vector<std::int64_t> whole_numbers(const std::string& text, const std::string& form,
+                                        int max_digits) {
+  const std::string number = fmt::format("([0-9]{{1,{}}})", max_digits);
+  const std::regex pattern(std::regex_replace(form, std::regex("N"), number));
+  std::smatch parts;
+  std::vector<std::int64_t> numbers;
+  if (!std::regex_match(text, parts, pattern)) return numbers;
+  for (std::size_t i = 1; i < parts.size(); ++i) numbers.push_back(std::stoll(parts[i]));
+  return numbers;
+}
+
 std::optional<std::vector<double>> numbers_from(const std::string& text) {
   std::vector<double> numbers;
   const char* const end = text.data() + text.size();
@@ -328,9 +346,9 @@ std::optional<std::vector<double>> numbers_from(const std::string& text) {
 }
 
 Pixel pixel_from(const char* name, const std::string& text) {
-  std::smatch parts;
-  if (std::regex_match(text, parts, std::regex("([0-9]{1,9}),([0-9]{1,9})"))) {
-    return {std::stoi(parts[1]), std::stoi(parts[2])};
+  const auto numbers = whole_numbers(text, "N,N", 9);
+  if (!numbers.empty()) {
+    return {static_cast<std::int32_t>(numbers[0]), static_cast<std::int32_t>(numbers[1])};
   }
   throw UsageError(std::string(name) + ": expected X,Y such as 120,45, got '" + text + "'");
 }

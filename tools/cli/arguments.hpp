@@ -35,6 +35,11 @@ namespace thinbench {
 /// UTF-8 without control characters, and not "".
 [[nodiscard]] CLI::Validator printable();
 
+/// The whole numbers in a text of this form, which has N for each, of at most so many digits: 10
+/// and 20 of "10x20" by "NxN". Nothing where the text has another form.
+[[nodiscard]] std::vector<std::int64_t> whole_numbers(const std::string& text,
+                                                      const std::string& form, int max_digits);
+
 /// "0.5,2" as numbers; nothing unless all are finite.
 [[nodiscard]] std::optional<std::vector<double>> numbers_from(const std::string& text);
 
@@ -56,6 +61,14 @@ void check_streams(bool json, const std::vector<std::string>& images);
 
 /// Throws UsageError where OUT, of one page, would replace IN, of several.
 void check_replaced(const FileBytes& in, const std::string& out);
+
+/// Throws FileError where distances, which graphs need, too, cannot be found in an image of this
+/// size.
+void check_sides(const std::string& file, Index width, Index height);
+
+/// The name of a file, which fulfils the check.
+CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::string& path,
+                             const std::string& what, const CLI::Validator& check = not_empty());
 
 /// The image that a command reads.
 void add_input(CLI::App& app, std::string& in);

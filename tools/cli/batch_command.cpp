@@ -5,7 +5,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <string>
 
 #include <fmt/format.h>
@@ -41,9 +40,10 @@ constexpr std::size_t kMaxShards = 1'000'000;
 
 /// From "3/8".
 Shard shard_from(const std::string& text) {
-  std::smatch parts;
-  if (std::regex_match(text, parts, std::regex("([0-9]{1,7})/([0-9]{1,7})"))) {
-    const Shard shard = {std::stoul(parts[1]), std::stoul(parts[2])};
+  const auto numbers = whole_numbers(text, "N/N", 7);
+  if (!numbers.empty()) {
+    const Shard shard = {static_cast<std::size_t>(numbers[0]),
+                         static_cast<std::size_t>(numbers[1])};
     if (shard.number >= 1 && shard.number <= shard.count && shard.count <= kMaxShards) return shard;
   }
   throw UsageError("--shard: expected I/N with 1 <= I <= N <= " + std::to_string(kMaxShards) +
@@ -153,10 +153,10 @@ int run(const BatchOptions& options, const Console& console) {
   const BatchOperation operation = batch_operation(options.operation);
   const Shard shard = options.shard.empty() ? Shard{} : shard_from(options.shard);
   const std::string path = manifest_path(options, shard);
-  const ManifestFormat format = manifest_format(path);
+  const TableFormat format = table_format("--manifest", path);
   const std::string table =
       options.operation.table.empty() ? "" : name_for(shard, options.operation.table);
-  if (!table.empty()) static_cast<void>(table_format(table));
+  if (!table.empty()) static_cast<void>(table_format("--table", table));
   if (options.inputs.null_separated && std::ranges::count(options.inputs.in, "-") == 0) {
     throw UsageError("--null needs - as IN, a list on standard input");
   }
@@ -217,15 +217,12 @@ void add_output_options(CLI::App& app, BatchOptions& options) {
                  "localise, graph)")
       ->check(one_of({"svg", "png"}))
       ->type_name("svg|png");
-  app.add_option("--table", options.operation.table,
-                 "One table of what was found in all images, .csv or .jsonl (holes, localise, "
-                 "graph)")
-      ->check(file_name())
-      ->type_name("FILE");
-  app.add_option("--manifest", options.manifest,
-                 "A line for each image, .csv or .jsonl (default: DIR/manifest.csv)")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(app, "--table", options.operation.table,
+                  "One table of what was found in all images, .csv or .jsonl (holes, localise, "
+                  "graph)",
+                  file_name());
+  add_file_option(app, "--manifest", options.manifest,
+                  "A line for each image, .csv or .jsonl (default: DIR/manifest.csv)");
   app.add_flag("--resume", options.resume,
                "Skip what the manifest says is done and whose result exists");
   app.add_option_function<std::string>(

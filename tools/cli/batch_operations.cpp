@@ -11,7 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/region_request.hpp"
 #include "cli/scan_request.hpp"
-#include "cli/tables.hpp"
+#include "support/json_field.hpp"
 #include "support/usage.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
@@ -159,7 +159,7 @@ BatchOperation regions_operation(const BatchOperationRequest& request) {
 
 BatchResult compute_graph(GreyImage grey, BatchRecord& record,
                           const BatchOperationRequest& request) {
-  check_graph_size(record.file, grey.width, grey.height);
+  check_sides(record.file, grey.width, grey.height);
   const bool draws = !request.overlay.empty();
   const BinaryImage binary = binarise(draws ? copy_of(grey) : std::move(grey), request.binarise);
   describe_regions(binary, request.binarise, {}, record);

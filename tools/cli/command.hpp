@@ -15,7 +15,6 @@ namespace thinbench {
 struct Console {
   std::ostream& out;
   std::ostream& err;
-  bool err_is_terminal;
 };
 
 /// Where a line about an image that was written goes: not where the image went.

@@ -20,6 +20,7 @@
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
+#include "support/json_field.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/graph_parts.hpp"
 
@@ -147,7 +148,7 @@ std::ostream& list_stream(const Console& console, const GraphCommandOptions& opt
 }
 
 void check_size(const GraphCommandOptions& options, Index width, Index height) {
-  check_graph_size(options.in, width, height);
+  check_sides(options.in, width, height);
   check_transform(transform_of(options), options, width, height);
 }
 
@@ -184,12 +185,8 @@ FoundGraph graph_of_image(const GraphCommandOptions& options, std::ostream& rema
 
 /// The objects alone, for the lines that are drawn over them.
 ByteImage drawing_of(const LabelPixels& objects) {
-  ByteImage image(objects.width, objects.height);
-  for (Index y = 0; y < objects.height; ++y) {
-    const std::int32_t* labels = objects.view().row(y);
-    for (Index x = 0; x < objects.width; ++x) image.at(x, y) = labels[x] != 0 ? 255 : 0;
-  }
-  return image;
+  return image_by(objects.width, objects.height,
+                  [&](Index x, Index y) { return objects.view().row(y)[x] != 0 ? 255 : 0; });
 }
 
 LabelPixels objects_of_widths(LabelPixels labels, const GraphCommandOptions& options) {
@@ -244,7 +241,7 @@ int run(const GraphCommandOptions& given, const Console& console) {
 
 void add_files(CLI::App& app, GraphCommandOptions& options) {
   const auto add = [&app](const char* name, std::string& path, const char* what) {
-    return app.add_option(name, path, what)->check(file_name())->type_name("FILE");
+    return add_file_option(app, name, path, what, file_name());
   };
   app.add_flag("--json", options.json, "Print JSON");
   add("--csv", options.csv, "Table of edges to write");
@@ -284,10 +281,8 @@ Command add_graph_command(CLI::App& program) {
   app->add_flag("--only-thin", options->only_thin,
                 "Fail if the skeleton has blocks of 2 x 2 pixels")
       ->excludes(labels);
-  app->add_option("--image", options->image,
-                  "Image that gives the widths, where IN is a skeleton made from it")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(*app, "--image", options->image,
+                  "Image that gives the widths, where IN is a skeleton made from it");
   add_files(*app, *options);
   add_threads_option(*app, options->request.threads);
   add_binarise_options(*app, options->binarise);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/text.hpp"
 #include "thinbench/graph_parts.hpp"
 
 namespace thinbench {
@@ -49,13 +50,9 @@ std::vector<std::size_t> degrees_of(const Graph& graph) {
   return degrees;
 }
 
-std::string number_of(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// "3 nodes (2 ends, 1 junction)".
 std::string nodes_text(const Graph& graph) {
-  std::string text = number_of(graph.nodes.size(), "node");
+  std::string text = counted(graph.nodes.size(), "node");
   const char* before = " (";
   for (std::size_t kind = 0; kind < kNodeKindNames.size(); ++kind) {
     const auto count = static_cast<std::size_t>(
@@ -64,7 +61,7 @@ std::string nodes_text(const Graph& graph) {
     const auto of_kind = static_cast<NodeKind>(kind);
     const bool is_noun = of_kind != NodeKind::isolated && of_kind != NodeKind::given;
     const std::string name(kNodeKindNames[kind]);
-    text += before + (is_noun ? number_of(count, name.c_str()) : fmt::format("{} {}", count, name));
+    text += before + (is_noun ? counted(count, name) : fmt::format("{} {}", count, name));
     before = ", ";
   }
   return graph.nodes.empty() ? text : text + ")";
@@ -181,7 +178,7 @@ Json unit_json(const FoundGraph& found) {
 
 std::string graph_list(const FoundGraph& found) {
   const Graph& graph = found.graph;
-  std::string text = nodes_text(graph) + ", " + number_of(graph.edges.size(), "edge") + '\n';
+  std::string text = nodes_text(graph) + ", " + counted(graph.edges.size(), "edge") + '\n';
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const auto [x, y] = centre_of(graph, graph.nodes[i]);
     text += fmt::format("node {}: {} at ({:.2f}, {:.2f})\n", i + 1, kind_of(graph.nodes[i]), x, y);
@@ -264,17 +261,18 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
     const auto [x, y] = centre_of(graph, graph.nodes[i]);
     features.push_back(feature("Point", position(x, y), node_properties_of(found, i, degrees[i])));
   }
+  const auto add_line = [&](const std::vector<Pixel>& line, Json properties) {
+    features.push_back(feature("LineString",
+                               positions(line, [&](Pixel p) { return position(p.x, p.y); }),
+                               std::move(properties)));
+  };
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    features.push_back(feature(
-        "LineString", positions(found.lines[i], [&](Pixel p) { return position(p.x, p.y); }),
-        properties_of(found, i)));
+    add_line(found.lines[i], properties_of(found, i));
   }
   for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
     Json properties = main_path_properties(found.main_paths[i], i);
     properties["kind"] = "main path";
-    features.push_back(feature(
-        "LineString", positions(found.main_lines[i], [&](Pixel p) { return position(p.x, p.y); }),
-        std::move(properties)));
+    add_line(found.main_lines[i], std::move(properties));
   }
   Json json = {
       {"type", "FeatureCollection"}, {"spacing", spacing_json(found)}, {"unit", unit_json(found)}};

@@ -11,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/thinning_request.hpp"
 #include "support/file_error.hpp"
+#include "support/text.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/graph_labels.hpp"
 #include "thinbench/graph_parts.hpp"
@@ -114,12 +115,6 @@ std::string graph_words(const GraphRequest& request) {
   return words;
 }
 
-void check_graph_size(const std::string& file, Index width, Index height) {
-  if (std::max(width, height) <= kMaxDistanceSide) return;
-  throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", file,
-                              kMaxDistanceSide, width, height));
-}
-
 std::string checked_thinning(const GraphRequest& request) {
   if (request.is_skeleton()) return {};
   const RequestedThinning thinning = thinning_of(request);
@@ -139,8 +134,8 @@ ByteImage skeleton_of(const ByteImage& image, const GraphRequest& request) {
 std::string thickness_of(const ByteImage& skeleton) {
   const FullBlocks blocks = full_blocks(skeleton.view());
   if (blocks.count == 0) return {};
-  return fmt::format("{} block{} of 2 x 2 pixels, the first at ({}, {})", blocks.count,
-                     blocks.count == 1 ? "" : "s", blocks.first.x, blocks.first.y);
+  return fmt::format("{} of 2 x 2 pixels, the first at ({}, {})", counted(blocks.count, "block"),
+                     blocks.first.x, blocks.first.y);
 }
 
 FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton, const ImagePage& page,

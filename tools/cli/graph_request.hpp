@@ -34,9 +34,6 @@ void add_graph_options(CLI::App& app, GraphRequest& request);
 /// The options given, each with a space before it.
 [[nodiscard]] std::string graph_words(const GraphRequest& request);
 
-/// Throws FileError where an image of this size has no graph.
-void check_graph_size(const std::string& file, Index width, Index height);
-
 /// A hash of the rule's file, as RequestedThinning has it. Throws UsageError where no operation of
 /// this name thins.
 [[nodiscard]] std::string checked_thinning(const GraphRequest& request);

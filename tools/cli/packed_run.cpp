@@ -1,9 +1,5 @@
 #include "cli/packed_run.hpp"
 
-#include <charconv>
-#include <optional>
-#include <string_view>
-
 #include "cli/arguments.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
@@ -13,29 +9,15 @@
 namespace thinbench {
 namespace {
 
-/// The number at the beginning of `text`, which is shortened by it; nothing if there is none.
-std::optional<Index> take_number(std::string_view& text) {
-  Index number = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (result.ec != std::errc() || number < 1) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(result.ptr - text.data()));
-  return number;
-}
-
-/// "510x412" as width and height.
 PackedFormat raw_format(const PackedOptions& options) {
-  std::string_view text = options.raw;
-  constexpr Index max_side = Index{1} << 40;
-  const std::optional<Index> width = take_number(text);
-  const bool has_x = !text.empty() && text.front() == 'x';
-  if (has_x) text.remove_prefix(1);
-  const std::optional<Index> height = take_number(text);
-  if (!width || !has_x || !height || !text.empty() || *width > max_side ||
-      *height > max_side / *width) {
+  constexpr Index max_pixels = Index{1} << 40;
+  const auto numbers = whole_numbers(options.raw, "NxN", 13);
+  if (numbers.empty() || numbers[0] < 1 || numbers[1] < 1 || numbers[0] > max_pixels ||
+      numbers[1] > max_pixels / numbers[0]) {
     throw UsageError("--raw: expected WIDTHxHEIGHT of 1 to 2^40 pixels, got '" + options.raw + "'");
   }
-  return {*width, *height, options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first,
-          0};
+  return {numbers[0], numbers[1],
+          options.bit_order == "lsb" ? BitOrder::lsb_first : BitOrder::msb_first, 0};
 }
 
 PackedFormat format_of(const PackedOptions& options, const FileBytes& in) {

@@ -10,8 +10,7 @@ namespace thinbench {
 
 std::optional<PackedPage> packed_tiff(const PackedOptions& options, const BinariseOptions& binarise,
                                       const FileBytes& in, const std::string& out) {
-  const std::string extension = extension_of(out);
-  if (!options.raw.empty() || (extension != ".tif" && extension != ".tiff")) return std::nullopt;
+  if (!options.raw.empty() || !is_tiff_extension(extension_of(out))) return std::nullopt;
   const bool has_levels = binarise.threshold || binarise.local || binarise.grey.blur > 0 ||
                           binarise.grey.crop.height > 0 || binarise.grey.opacity ||
                           binarise.lenient;

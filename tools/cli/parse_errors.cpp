@@ -1,7 +1,6 @@
 #include "cli/parse_errors.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <string_view>
 #include <vector>
 
@@ -51,8 +50,6 @@ const CLI::App& rejecting_app(const CLI::App& app) {
   return rejecting_app(*parsed.back());
 }
 
-}  // namespace
-
 std::string parse_error_text(const CLI::ParseError& error, const CLI::App& program) {
   const CLI::App& app = rejecting_app(program);
   const bool unexpected = !app.remaining().empty();
@@ -61,16 +58,20 @@ std::string parse_error_text(const CLI::ParseError& error, const CLI::App& progr
   return text + (text.back() == '?' ? " See '" : "; see '") + full_name(app) + " --help'";
 }
 
-bool parse_or_help(CLI::App& app, const std::vector<std::string>& arguments) {
+}  // namespace
+
+bool parse_or_help(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& out) {
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last one first
     return true;
   } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return false;
+    out << app.help();
+  } catch (const CLI::CallForVersion& version) {
+    out << version.what() << '\n';
   } catch (const CLI::ParseError& error) {
     throw UsageError(parse_error_text(error, app));
   }
+  return false;
 }
 
 }  // namespace thinbench

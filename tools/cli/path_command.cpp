@@ -39,15 +39,14 @@ std::string path_json(const PathOptions& options, const PathMap& map, const Foun
     const MapPoint point = map.point(p);
     pixels.push_back({json_number(point.x), json_number(point.y)});
   }
-  const Json json = {{"file", options.in},
-                     {"width", map.free.width()},
-                     {"height", map.free.height()},
-                     {"unit", options.unit},
-                     {"robot_width", options.width},
-                     {"length", path.length * map.scale()},
-                     {"min_width", path.min_width * map.scale()},  // null without an obstacle
-                     {"pixels", pixels}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_text({{"file", options.in},
+                    {"width", map.free.width()},
+                    {"height", map.free.height()},
+                    {"unit", options.unit},
+                    {"robot_width", options.width},
+                    {"length", path.length * map.scale()},
+                    {"min_width", path.min_width * map.scale()},  // null without an obstacle
+                    {"pixels", pixels}});
 }
 
 std::string path_line(const PathMap& map, const FoundPath& path) {

@@ -110,10 +110,7 @@ void check_range(double greatest, const PixelOptions& options) {
 std::string distance_levels(const ByteImage& image, const PixelOptions& options) {
   (options.real ? check_real_extension : check_deep_extension)(options.out);
   const Index width = image.width(), height = image.height();
-  if (std::max(width, height) > kMaxDistanceSide) {
-    throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
-                                kMaxDistanceSide, width, height));
-  }
+  check_sides(options.in, width, height);
   std::vector<double> found(static_cast<std::size_t>(width * height));
   distances(image.view(), {found.data(), width, height}, options.spacing, options.execution);
   const double greatest = *std::max_element(found.begin(), found.end());

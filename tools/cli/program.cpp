@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
@@ -42,7 +40,7 @@ class Program {
   /// The innermost command that was named; nullptr where help or the version was printed.
   const Command* read(const std::vector<std::string>& args) {
     check_command_names(args);
-    if (!parse(args, console_.out)) return nullptr;
+    if (!parse_or_help(app_, args, console_.out)) return nullptr;
     check_cap();
     return &parsed_command();
   }
@@ -74,21 +72,6 @@ class Program {
     return names;
   }
 
-  /// False where help or the version was asked for, and printed.
-  bool parse(const std::vector<std::string>& args, std::ostream& out) {
-    try {
-      app_.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-      return true;
-    } catch (const CLI::CallForHelp&) {
-      out << app_.help();
-    } catch (const CLI::CallForVersion& version) {
-      out << version.what() << '\n';
-    } catch (const CLI::ParseError& error) {
-      throw UsageError(parse_error_text(error, app_));
-    }
-    return false;
-  }
-
   /// The innermost command that was named.
   [[nodiscard]] const Command& parsed_command() const {
     const Command* parsed = nullptr;
@@ -116,9 +99,8 @@ class Program {
 
 int run_program(const ProgramInfo& program, const std::vector<std::string>& args, std::ostream& out,
                 std::ostream& err) {
-  const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
   return run_and_report(program.name, out, err, [&] {
-    return Program(program, {out, err, err_is_terminal}).run(args);
+    return Program(program, {out, err}).run(args);
   });
 }
 
@@ -130,7 +112,7 @@ int run_main(const ProgramInfo& program, int argc, char** argv) {
 int check_arguments(const ProgramInfo& program, const std::vector<std::string>& args,
                     std::ostream& out, std::ostream& err) {
   return run_and_report(program.name, out, err, [&] {
-    static_cast<void>(Program(program, {out, err, false}).read(args));
+    static_cast<void>(Program(program, {out, err}).read(args));
     return kSuccess;
   });
 }

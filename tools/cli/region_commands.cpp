@@ -13,6 +13,7 @@
 #include "cli/tables.hpp"
 #include "cli/thinbench.hpp"
 #include "images/image_file.hpp"
+#include "support/json_field.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -55,9 +56,7 @@ std::shared_ptr<RegionOptions> add_region_options(CLI::App& app) {
   RegionRequest& request = options->request;
   add_input(app, options->in);
   app.add_flag("--json", options->json, "Print JSON");
-  app.add_option("--csv", options->csv, "Table of objects and holes to write")
-      ->check(file_name())
-      ->type_name("FILE");
+  add_file_option(app, "--csv", options->csv, "Table of objects and holes to write", file_name());
   add_overlay_option(app, options->overlay);
   app.add_option("--min-area", request.min_area,
                  "Omit objects and holes of fewer than N pixels, 1 to 2^31")

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/json_field.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -58,11 +59,8 @@ ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& opt
 }
 
 std::string regions_list(const Regions& found) {
-  const auto number = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
-  std::string text = fmt::format("{}, {}\n", number(found.objects.size(), "object"),
-                                 number(found.holes.size(), "hole"));
+  std::string text =
+      counted(found.objects.size(), "object") + ", " + counted(found.holes.size(), "hole") + '\n';
   const auto holes_of = holes_by_object(found);
   for (std::size_t i = 0; i < found.objects.size(); ++i) {
     text += line_of("object", i + 1, found.objects[i]);

@@ -10,6 +10,7 @@
 #include "cli/thinbench.hpp"
 #include "cli/thinning_request.hpp"
 #include "rules/rule_file.hpp"
+#include "support/text.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {
@@ -64,10 +65,10 @@ int run(const RuleCommandOptions& options, const Console& console) {
   const RequestedThinning requested = requested_thinning(options.request);
   const RuleDescription rule = description_of(requested);
   if (!options.save.empty()) write_rule_file(options.save, rule);
-  const std::size_t count = rule.sub_iterations.size();
-  console.out << fmt::format("{}: {} sub-iteration{}, gates {}, border {}, limit {}\n", rule.name,
-                             count, count == 1 ? "" : "s", gates_of(requested.rule),
-                             border_name(rule.border), limit_text(rule.max_iterations));
+  console.out << fmt::format("{}: {}, gates {}, border {}, limit {}\n", rule.name,
+                             counted(rule.sub_iterations.size(), "sub-iteration"),
+                             gates_of(requested.rule), border_name(rule.border),
+                             limit_text(rule.max_iterations));
   return kSuccess;
 }
 
@@ -79,9 +80,7 @@ Command add_rule_command(CLI::App& program) {
   app->add_option("RULE", options->request.rule, "Any rule that 'thinbench run' takes")
       ->type_name("");
   add_thinning_options(*app, options->request);
-  app->add_option("--save", options->save, "Write the rule as a JSON file")
-      ->check(file_name())
-      ->type_name("FILE");
+  add_file_option(*app, "--save", options->save, "Write the rule as a JSON file", file_name());
   app->add_flag("--list", options->list, "Print the named rules");
   app->footer(R"(Examples:
   thinbench rule --list

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/file_bytes.hpp"
+#include "support/json_field.hpp"
 #include "support/text.hpp"
-#include "support/usage.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -89,14 +89,6 @@ std::string text_of(const TablePart& part, TableFormat format) {
 
 }  // namespace
 
-std::string json_text(const Json& found) {
-  return found.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::string json_line(const Json& found) {
-  return found.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
 std::string csv_head(bool is_graph) {
   return std::string("file,page,image_width,image_height,") +
          (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,"
@@ -113,16 +105,9 @@ std::string csv_text(const Json& found) {
   return csv_head(found.contains("nodes")) + csv_rows(found);
 }
 
-TableFormat table_format(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".csv") return TableFormat::csv;
-  if (extension == ".jsonl") return TableFormat::json_lines;
-  throw UsageError("--table: expected a name that ends in .csv or .jsonl, got '" + path + "'");
-}
-
 void write_table(const std::string& path, bool is_graph,
                  const std::function<std::optional<TablePart>()>& next) {
-  const TableFormat format = table_format(path);
+  const TableFormat format = table_format("--table", path);
   write_whole_file(path, [&](const std::string& name) {
     std::ofstream file(name, std::ios::binary);
     if (format == TableFormat::csv) file << csv_head(is_graph);

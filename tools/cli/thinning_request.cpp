@@ -121,9 +121,8 @@ Rule net_from_file(const NamedValue& rule, const FileBytes& file) {
 }  // namespace
 
 void add_thinning_options(CLI::App& app, ThinningRequest& request) {
-  app.add_option("--weights", request.weights, "Weights of a net, made by 'thinbench-study train'")
-      ->check(not_empty())
-      ->type_name("FILE");
+  add_file_option(app, "--weights", request.weights,
+                  "Weights of a net, made by 'thinbench-study train'");
   app.add_option_function<std::string>(
          "--border",
          [&request](const std::string& name) { request.thinning.border = border_named(name); },

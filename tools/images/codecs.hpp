@@ -35,6 +35,10 @@ auto naming(const FileBytes& file, const Decode& decode) {
   }
 }
 
+[[nodiscard]] inline bool is_tiff_extension(std::string_view extension) {
+  return extension == ".tif" || extension == ".tiff";
+}
+
 /// The number of images in a TIFF file; 1 for all others.
 [[nodiscard]] int page_count(const FileBytes& file);
 

@@ -70,10 +70,6 @@ void check_among(const std::string& path, std::initializer_list<std::string_view
                                    *(known.end() - 1)));
 }
 
-bool is_tiff_name(const std::string& extension) {
-  return extension == ".tif" || extension == ".tiff";
-}
-
 void check_size(const std::string& path, const std::string& extension, const Samples& image) {
   if (image.width == 0 || image.height == 0) cannot_write(path, "the image has no pixels");
   if (image.width > (kMaxImagePixels - 1) / image.height) {
@@ -90,7 +86,7 @@ void check_size(const std::string& path, const std::string& extension, const Sam
 }
 
 std::string encoded(const std::string& extension, std::span<const Samples> pages) {
-  if (is_tiff_name(extension)) return encode_tiff(pages);
+  if (is_tiff_extension(extension)) return encode_tiff(pages);
   const Samples& image = pages.front();
   if (extension == ".pgm") return encode_pgm(image);
   if (extension == ".pbm") return encode_pbm(image);
@@ -131,7 +127,7 @@ void check_overlay_extension(const std::string& path) {
 }
 
 void check_real_extension(const std::string& path) {
-  if (path != kStandardStream && is_tiff_name(extension_of(path))) return;
+  if (path != kStandardStream && is_tiff_extension(extension_of(path))) return;
   throw ExtensionError("cannot write '" + path +
                        "': of real numbers only .tif and .tiff are known");
 }
@@ -177,7 +173,7 @@ void write_labels(const std::string& path, const ConstLabelView& labels) {
     for (Index x = 0; x < labels.width; ++x) greatest = std::max(greatest, labels.row(y)[x]);
   }
   if (greatest > 65535) {
-    if (is_tiff_name(extension_of(path)))
+    if (is_tiff_extension(extension_of(path)))
       return write_image(path, samples_of(labels, SampleKind::u32));
     cannot_write(path,
                  fmt::format("it has labels up to {}, and its format holds 65535; .tif holds more",

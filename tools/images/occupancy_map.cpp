@@ -107,7 +107,7 @@ bool is_occupancy_map(const GreyImage& image) {
 FreeSpace free_space(const ConstImageView& levels, const MapDescription& map,
                      bool unknown_is_free) {
   const auto counts = histogram(levels);
-  FreeSpace space = {ByteImage(levels.width, levels.height), 0, {}};
+  FreeSpace space = {{}, 0, {}};
   std::array<std::uint8_t, 256> values{};
   for (std::size_t level = 0; level < 256; ++level) {
     const double occupancy = static_cast<double>(map.negate ? level : 255 - level) / 255;
@@ -122,9 +122,8 @@ FreeSpace free_space(const ConstImageView& levels, const MapDescription& map,
           map.free_thresh);
     }
   }
-  for (Index y = 0; y < levels.height; ++y) {
-    for (Index x = 0; x < levels.width; ++x) space.image.at(x, y) = values[levels.row(y)[x]];
-  }
+  space.image = image_by(levels.width, levels.height,
+                         [&](Index x, Index y) { return values[levels.row(y)[x]]; });
   return space;
 }
 

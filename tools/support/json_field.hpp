@@ -1,5 +1,5 @@
-// Values of a JSON file, with errors that name the file and the way to the value. For sources that
-// link nlohmann_json.
+// JSON as text, and values of a JSON file with errors that name the file and the way to the value.
+// For sources that link nlohmann_json.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +24,15 @@ inline nlohmann::ordered_json json_number(double value) {
   const auto whole = static_cast<std::int64_t>(value);
   if (static_cast<double>(whole) == value) return whole;
   return value;
+}
+
+// As texts that end with a newline: indented, or one line. What is no UTF-8 is replaced.
+
+inline std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+inline std::string json_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 /// A value in the file and the way to it, such as hidden[3].bias. Errors are std::runtime_error

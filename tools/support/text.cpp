@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/usage.hpp"
+
 namespace thinbench {
 
 std::string markdown_table(const std::vector<std::string>& head,
@@ -41,6 +43,13 @@ std::string extension_of(const std::string& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
+}
+
+TableFormat table_format(const std::string& option, const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".csv") return TableFormat::csv;
+  if (extension == ".jsonl") return TableFormat::json_lines;
+  throw UsageError(option + ": expected a name that ends in .csv or .jsonl, got '" + path + "'");
 }
 
 std::string csv_cell(const std::string& text) {

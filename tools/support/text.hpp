@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ template <std::integral Integer>
 /// The extension of a file with its dot, in lower case: ".tif" of "PAGE.TIF"; empty if there is
 /// none.
 [[nodiscard]] std::string extension_of(const std::string& path);
+
+/// .csv, or .jsonl with a JSON object on each line.
+enum class TableFormat : std::uint8_t { csv, json_lines };
+
+/// By the extension. Throws UsageError for others, which begins with the name of the option.
+[[nodiscard]] TableFormat table_format(const std::string& option, const std::string& path);
 
 /// In quotation marks where CSV needs them (RFC 4180).
 [[nodiscard]] std::string csv_cell(const std::string& text);

@@ -248,14 +248,19 @@ void replace(const Target& target, const std::string& finished) {
 
 }  // namespace
 
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  return true;
+}
+
 void write_whole_file(const std::string& path, std::string_view bytes) {
   const Target target(path);
   const TemporaryFile file(target);
-  while (!bytes.empty()) {
-    const ssize_t written = write(file.descriptor(), bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) cannot_write_by_errno(path);
-    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-  }
+  if (!write_all(file.descriptor(), bytes)) cannot_write_by_errno(path);
   replace(target, file.name());
 }
 

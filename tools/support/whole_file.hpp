@@ -21,6 +21,9 @@ namespace thinbench {
 /// protected. Throws FileError.
 void check_target(const std::string& path);
 
+/// False, with errno, where not all could be written.
+[[nodiscard]] bool write_all(int descriptor, std::string_view bytes);
+
 /// Writes a hidden file beside the target, then gives it the target's place, or that of what the
 /// target leads to through symbolic links. The mode, owner and group of a file that is replaced
 /// remain. Where it has other names (hard links), or an owner that cannot be given to another file,
