@@ -26,7 +26,7 @@ const std::map<Foreground, std::string> kForegrounds = {
     {Foreground::automatic, "auto"}, {Foreground::bright, "bright"}, {Foreground::dark, "dark"}};
 
 /// What a call is taken for that the clock does not see.
-constexpr double kLeastSeconds = 1e-9;
+constexpr double kMinSeconds = 1e-9;
 
 int more_calls(double seconds) {
   constexpr double kLongerThanInterruptions = 0.1;
@@ -133,7 +133,7 @@ KnownRow calibrate(const TimedRow& row) {
   };
   double seconds = timed();
   for (int i = more_calls(seconds); i > 0; --i) seconds = std::min(seconds, timed());
-  return {row, std::max(seconds, kLeastSeconds), hash_of(call.outcome())};
+  return {row, std::max(seconds, kMinSeconds), hash_of(call.outcome())};
 }
 
 std::vector<KnownRow> calibrate_rows(Selection& selection, double max_seconds) {
@@ -177,7 +177,7 @@ Known::Known(const std::string& file, const std::vector<Operation>& operations) 
     inputs = timed_inputs(sources_of(facts.at("sources")));
     for (const auto& [name, row] : facts.at("rows").items()) {
       rows.push_back({row_named(name, operations, inputs),
-                      std::max(row.at("seconds").get<double>(), kLeastSeconds),
+                      std::max(row.at("seconds").get<double>(), kMinSeconds),
                       row.at("hash").get<std::string>()});
     }
   } catch (const nlohmann::json::exception& error) {

@@ -21,10 +21,10 @@
 namespace thinbench {
 namespace {
 
-constexpr Index kMost = std::numeric_limits<Index>::max();
-constexpr Index kLeast = std::numeric_limits<Index>::min();
+constexpr Index kMax = std::numeric_limits<Index>::max();
+constexpr Index kMin = std::numeric_limits<Index>::min();
 constexpr std::array<Index, 10> kAbsurd = {
-    -1, 0, 1, 2, 255, Index{1} << 31, Index{1} << 40, kMost / 2, kMost, kLeast};
+    -1, 0, 1, 2, 255, Index{1} << 31, Index{1} << 40, kMax / 2, kMax, kMin};
 
 /// Now and then replaces a value.
 void spoil(ByteSource& input, Index& value) {
@@ -104,9 +104,9 @@ class Stack {
     if (count_ == 0 || height_ == 0 || width_ == 0) {
       return count_ <= many && height_ <= many && width_ <= many;
     }
-    if (pixels_ == nullptr || stride_ > kMost / height_) return true;
+    if (pixels_ == nullptr || stride_ > kMax / height_) return true;
     const Index image = (height_ - 1) * stride_ + width_;
-    return count_ > 1 && (image_stride_ < image || image_stride_ > kMost / count_);
+    return count_ > 1 && (image_stride_ < image || image_stride_ > kMax / count_);
   }
 
  private:
@@ -340,7 +340,7 @@ class Caller {
   void use_thinner() {
     const DrawnCall call(input_);
     auto [width, height] = draw_size(input_);
-    if (input_.once_in(16)) width = input_.once_in(2) ? kMost : -1;
+    if (input_.once_in(16)) width = input_.once_in(2) ? kMax : -1;
     thinbench_thinner* thinner = nullptr;
     const bool made = is_accepted(thinbench_thinner_create(
         call.rule, width, height, call.thinning.pointer(), call.execution.pointer(),
@@ -384,11 +384,11 @@ class Caller {
   /// valid by chance. False where the largest is valid, too.
   template <std::size_t count>
   bool spoil_one(const DrawnSize& size, Index* const (&values)[count]) {
-    constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost, -(Index{1} << 62)};
+    constexpr std::array<Index, 4> rejected = {-1, kMin, kMax, -(Index{1} << 62)};
     if (!input_.once_in(8)) return true;
     Index& value = *input_.pick(values);
     value = input_.pick(rejected);
-    return value != kMost || (size.height > 1 && size.width > 0);
+    return value != kMax || (size.height > 1 && size.width > 0);
   }
 
   void thin_packed() {
@@ -550,7 +550,7 @@ class Caller {
   /// Where an image is read, memory for a number per pixel with gaps between rows, and its struct;
   /// or a stride that must be rejected.
   std::vector<std::int32_t> draw_numbers(const Stack& source, thinbench_labels& view) {
-    constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost / 2, kMost};
+    constexpr std::array<Index, 4> rejected = {-1, kMin, kMax / 2, kMax};
     const thinbench_image from = source.described();
     view = {sizeof(view), nullptr, from.width, from.height, 0};
     if (!source.is_readable()) return std::vector<std::int32_t>(1, -7);
