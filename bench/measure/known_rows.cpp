@@ -66,7 +66,6 @@ Json known_json(const KnownRow& known) {
   Json object = row_json(row);
   object.update(
       {{"counter", or_null(row.counter)},
-       {"plan_bytes", or_null(row.plan_bytes)},
        {"peer", row.is_peer()},
        {"default", !is_reference && is_default(*row.operation, *row.variant, row.input->width())},
        {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))},

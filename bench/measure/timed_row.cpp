@@ -7,8 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <malloc.h>
-
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
@@ -18,15 +16,6 @@
 
 namespace thinbench {
 namespace {
-
-/// Bytes of the C library's heap that are in use; nothing where another allocator replaces it, as
-/// under sanitizers.
-std::optional<std::int64_t> heap_bytes_in_use() {
-  const struct mallinfo2 heap = mallinfo2();
-  const auto bytes = static_cast<std::int64_t>(heap.uordblks + heap.hblkhd);
-  if (bytes == 0) return std::nullopt;
-  return bytes;
-}
 
 /// Whether no other variant that runs on this width and fulfils the condition is better.
 template <class Condition, class Better>
@@ -184,11 +173,10 @@ class Selector {
         expected);
     progress.advance(share);
     for (const auto& [row, scopes] : task.rows) {
-      std::optional<std::int64_t> plan_bytes;
-      if (is_available(*row, input) && is_verified(*row, view, input, expected, plan_bytes)) {
+      if (is_available(*row, input) && is_verified(*row, view, input, expected)) {
         for (const Scope scope : scopes) {
           add({timed_name(*row, scope, input), row->operation, row->variant, row->threads, scope,
-               &input, std::nullopt, plan_bytes},
+               &input},
               expected);
         }
       }
@@ -203,14 +191,10 @@ class Selector {
     return false;
   }
 
-  /// `expected` is what the case's own reference gave; sets `plan_bytes`.
+  /// `expected` is what the case's own reference gave.
   bool is_verified(const Row& row, const ConstImageView& view, const TimedInput& input,
-                   const Outcome& expected, std::optional<std::int64_t>& plan_bytes) {
-    const std::optional<std::int64_t> before = heap_bytes_in_use();
+                   const Outcome& expected) {
     const auto job = row.variant->make_job(view.width, view.height, row.threads);
-    const std::optional<std::int64_t> after = heap_bytes_in_use();
-    // Peers allocate while they run.
-    if (before && after && !row.variant->is_peer) plan_bytes = *after - *before;
     const bool has_own = static_cast<bool>(row.variant->own_reference);
     const Outcome own = has_own ? expected_of(*row.operation, *row.variant, view) : Outcome{};
     std::optional<std::string> mismatch = find_mismatch(*job, view, has_own ? own : expected);

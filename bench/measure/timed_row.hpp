@@ -28,8 +28,6 @@ struct TimedRow {
   Scope scope;
   const TimedInput* input;
   std::optional<std::int64_t> counter = std::nullopt;  // see Operation::counter
-  /// Heap memory that the row's job holds, its planes included; calls allocate nothing.
-  std::optional<std::int64_t> plan_bytes = std::nullopt;
 
   [[nodiscard]] const JobMaker& maker() const {
     return variant != nullptr ? variant->make_job : operation->reference;

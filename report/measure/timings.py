@@ -51,7 +51,6 @@ class Row:  # pylint: disable=too-many-instance-attributes
     default: bool
     scalar: bool
     verified: bool
-    plan_bytes: int | None
     border: str
     max_iterations: int | None
     run: str
@@ -121,9 +120,8 @@ def _row(facts: Json, row: Json, time: Time, reference: Time | None, peer: tuple
     over_peer = ratio_of(peer[0], time) if peer else None
     settled = time.settled and (reference is None or reference.settled)
     return Row(
-        **{key: row[key] for key in ("operation", "technique", "isa", "threads", "scope", "input",
-                                     "plan_bytes", "border", "max_iterations", "peer", "default",
-                                     "scalar")},
+        **{key: row[key] for key in ("operation", "technique", "isa", "threads", "scope", "input", "border",
+                                     "max_iterations", "peer", "default", "scalar")},
         width=size["width"], height=size["height"], passes=row["counter"],
         time_ns=time.value, high_ns=time.high, typical_ns=time.typical,
         ns_per_pixel=time.value / (size["width"] * size["height"]), verified=verified,

@@ -56,7 +56,7 @@ def test_facts_tell_of_the_row_and_its_reference(facts: Path) -> None:
     assert sorted(document["rows"]) == [NAME, REFERENCE] and document["verified"] == 1
     row = document["rows"][NAME]
     assert {"case", "operation", "border", "max_iterations", "technique", "isa", "threads", "scope", "input", "counter",
-            "plan_bytes", "peer", "default", "scalar", "seconds", "hash"} == set(row)
+            "peer", "default", "scalar", "seconds", "hash"} == set(row)
     assert row["hash"] == document["rows"][REFERENCE]["hash"] and row["seconds"] > 0
     assert [item["name"] for item in document["inputs"]] == ["square_64"]
 

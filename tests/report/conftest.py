@@ -44,7 +44,7 @@ def make_row(case: str, technique: str, isa: str, ns: float, reference_ns: float
     ratio = reference_ns / ns
     row = Row(operation, technique, isa, 1, "end_to_end", "scene", 510, 412, 31, ns, 1.02 * ns,
               1.05 * ns, ns / 510 / 412, ratio, 0.98 * ratio, 1.02 * ratio, 9, "", None, None, None,
-              "", False, isa == "avx512", isa == "baseline", True, 4096,
+              "", False, isa == "avx512", isa == "baseline", True,
               "keep" if options else "background", None, "run", MACHINE["fingerprint"], "abc1234",
               "")
     return replace(row, **changes)
