@@ -44,7 +44,8 @@ endif()
 set(thinbench_package ${CMAKE_INSTALL_LIBDIR}/cmake/thinbench)
 install(TARGETS thinbench thinbench_shared EXPORT thinbench
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})  # the DLL of Windows
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT thinbench NAMESPACE thinbench:: FILE thinbenchTargets.cmake DESTINATION ${thinbench_package})
 

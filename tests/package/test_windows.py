@@ -68,7 +68,8 @@ def test_installed_library_is_found_and_linked(dll, library, tmp_path):
     run("cmake", "-G", "Ninja", "-B", "build", "--toolchain", TOOLCHAIN,
         f"-Dthinbench_DIR={prefix}/lib/cmake/thinbench", cwd=tmp_path)
     run("cmake", "--build", "build", cwd=tmp_path)
-    assert run("wine", tmp_path / "build" / "example.exe", WINEPATH=str(prefix / "bin")).split("\r\n")[0] == OUTPUT
+    dlls = "Z:" + str(prefix / "bin").replace("/", "\\")
+    assert run("wine", tmp_path / "build" / "example.exe", WINEPATH=dlls).splitlines()[0] == OUTPUT
 
 
 @pytest.fixture(scope="module")
