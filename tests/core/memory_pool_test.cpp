@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
+#include <future>
 #include <initializer_list>
-#include <latch>
 #include <thread>
 #include <vector>
 
@@ -93,17 +93,17 @@ TEST_F(MemoryPool, is_of_one_thread) {
 }
 
 TEST_F(MemoryPool, of_workers_is_released_by_any_thread_unless_they_work) {
-  std::latch works(1), released(1);
+  std::promise<void> works, released;
   std::thread worker([&] {
     const WorkerBlocks blocks;
     give_block(take_block(1000));
-    works.count_down();
-    released.wait();
+    works.set_value();
+    released.get_future().wait();
     EXPECT_GE(kept_bytes(), std::size_t{1000});
   });
-  works.wait();
+  works.get_future().wait();
   release_memory();
-  released.count_down();
+  released.set_value();
   worker.join();
   EXPECT_GE(kept_bytes(), std::size_t{1000}) << "after the thread's end";
   release_memory();
