@@ -424,7 +424,8 @@ Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, b
   if (as_stored) return image;
   if (layout.photometric == PHOTOMETRIC_PALETTE)
     return through_palette(image, palette_of(tiff, layout.bits));
-  const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << layout.bits) - 1);
+  if (layout.bits > 16) return image;
+  const std::uint32_t max = (1U << layout.bits) - 1;
   if (image.kind == SampleKind::u8 && (layout.bits < 8 || is_white_first))
     set_levels(image, max, is_white_first);
   if (image.kind == SampleKind::u16 && is_white_first)
