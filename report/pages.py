@@ -40,9 +40,6 @@ SIDE, QUICK_SIDE = 2896, 1024
 WITHOUT_SLOW = "^(?!(?:thin_[^/]*/opencv|holes/opencv_contours)/)(?=.*(?:{}))"
 """Of the rows of a filter, on drawn pages: OpenCV's thinning and contours take seconds there, beyond what is measured."""
 
-SECONDS_PER_ROW = "0.1"
-"""In a process: a large picture, new memory and comparing the results of all rows take longer."""
-
 OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_suen:keep|thin_mb2|skeleton_scan|edges_sobel|"
               "holes|components|fill_holes|euler_number|label_image|label_image_4|label_components|label_regions|"
               "localise_objects|squared_distances|skeleton_graph)/.*/1/end_to_end/")
@@ -135,7 +132,7 @@ def _parts(benchmarks: Benchmarks, inputs: Sequence[Sequence[str]], rows: str) -
         chosen = WITHOUT_SLOW.format(rows) if words[0] == "--input" else rows
         facts = benchmarks.verify(["--variants", "best", "--max-call", "0.3", "--filter", chosen, *words],
                                   remarks=not words[1].startswith(str(INSTALLED)))
-        parts.append(Part(_without_unshown(facts), options=["--seconds-per-row", SECONDS_PER_ROW]))
+        parts.append(Part(_without_unshown(facts)))
         progress.advance(1)
     progress.close()
     return parts

@@ -39,6 +39,7 @@ struct BenchmarkOptions {
   std::string samples;
   std::string pictures;
   bool machine = false;
+  bool are_checked = false;  // results, by an earlier process
   bool for_people = true;
 };
 
@@ -56,6 +57,7 @@ class Registered {
  public:
   explicit Registered(const BenchmarkOptions& options)
       : seconds_per_row_(options.seconds_per_row),
+        are_checked_(options.are_checked),
         min_repetitions_(options.known.empty() ? kMinRepetitions : 1) {}
 
   /// Rows, and two controls for each case and input.
@@ -80,6 +82,7 @@ class Registered {
   void add(const KnownRow& known, const char* suffix, double delay_ns) {
     Measured& measured = measured_.emplace_back(known, seconds_per_row_, min_repetitions_);
     measured.delay_ns = delay_ns;
+    measured.is_checked = are_checked_;
     const std::string name = known.row.name + suffix;
     benchmark::RegisterBenchmark(name.c_str(), [this, &measured](benchmark::State& state) {
       repeat(state, measured, workspaces_);
@@ -97,6 +100,7 @@ class Registered {
   }
 
   double seconds_per_row_;
+  bool are_checked_;
   int min_repetitions_;
   std::deque<Measured> measured_;
   Workspaces workspaces_;
@@ -196,10 +200,17 @@ void add_options(CLI::App& app, BenchmarkOptions& options) {
   CLI::Option* facts =
       add_file_option(app, "--facts", options.facts,
                       "only verify; write what is known of the rows as JSON, for --known");
-  add_file_option(app, "--known", options.known,
-                  "measure the rows of these facts, which are not verified again: their results "
-                  "must be the verified ones")
-      ->excludes(facts);
+  CLI::Option* known =
+      add_file_option(
+          app, "--known", options.known,
+          "measure the rows of these facts, which are not verified again: their results "
+          "must be the verified ones")
+          ->excludes(facts);
+  app.add_flag(
+         "--checked", options.are_checked,
+         "an earlier process has compared the results, which takes longer than to compute them "
+         "where images are large")
+      ->needs(known);
   app.add_option("--pictures", options.pictures,
                  "only write the inputs and what operations make of them as image files")
       ->check(not_empty())

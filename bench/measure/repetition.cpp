@@ -28,7 +28,7 @@ detail::AlignedArray<std::uint8_t> random_gap() {
   return detail::make_aligned<std::uint8_t>(detail::kAlignment * (1 + dice() % kLines));
 }
 
-/// Once for each process: of large images, comparing takes longer than computing.
+/// Once: of large images, comparing takes longer than computing.
 void check(Measured& measured, const TimedCall& call) {
   if (measured.is_checked) return;
   const std::string hash = hash_of(call.outcome());

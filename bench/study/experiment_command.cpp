@@ -20,6 +20,7 @@ struct ExperimentOptions {
   bool quick = false;
   std::vector<std::string> images;
   BinariseOptions binarise;
+  Options of_binarise;  // some were given
   std::string pictures;
 };
 
@@ -29,7 +30,7 @@ std::string image_options(const ExperimentOptions& options) {
   for (const std::string& image : options.images) {
     text += " --image " + std::filesystem::path(image).filename().string();
   }
-  return text + binarise_words(options.binarise);
+  return text + given_words(options.of_binarise);
 }
 
 ExperimentReport run_edge_quality(const ExperimentOptions& options, const Console&) {
@@ -99,7 +100,8 @@ AddedExperiment add_quality(CLI::App& parent) {
           ->add_option("--image", added.options->images, "Image to thin as well (repeatable)")
           ->type_name("FILE")
           ->allow_extra_args(false);
-  add_binarise_options(*added.command.app, added.options->binarise, image);
+  added.options->of_binarise =
+      add_binarise_options(*added.command.app, added.options->binarise, image);
   added.command.app
       ->add_option("--pictures-out", added.options->pictures,
                    "Write the skeletons to this directory")

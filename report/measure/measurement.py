@@ -115,7 +115,7 @@ class Measurement:
     def _process(self, number: int, benchmarks: Benchmarks) -> None:
         part = self.parts[number]
         start, process = time.monotonic(), len(part.tables)
-        table = benchmarks.measure(part.facts, part.options)
+        table = benchmarks.measure(part.facts, part.options + ["--checked"] * (process > 0))
         table.insert(0, "process", process)
         write_file(self._file(number, process), table.to_csv(index=False).encode())
         part.tables.append(table)

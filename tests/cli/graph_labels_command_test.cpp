@@ -126,7 +126,7 @@ TEST_F(GraphLabelsCommand, what_does_not_fit_is_one_line) {
   write_inverted_tiff("inverted.tif");
   const std::string graph = "graph in.png --thinning none --labels ";
   expect_rejected({
-      {2, graph + "--threshold 5", {"--labels excludes --threshold 5"}},
+      {2, graph + "--threshold 5", {"--labels excludes --threshold"}},
       {2, graph + "--only-thin", {"--labels excludes --only-thin"}},
       {1, graph + "--image small.png", {"expected 12 x 6 pixels"}},
       {1, graph + "--image colours.ppm", {"labels are one channel, and it has 3"}},

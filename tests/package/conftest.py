@@ -1,4 +1,4 @@
-"""The build under test: THINBENCH_BUILD in the environment."""
+"""The build under test: THINBENCH_BUILD in the environment; packages from it or, by tools/release, in THINBENCH_DIST."""
 
 from __future__ import annotations
 
@@ -18,6 +18,12 @@ ROOT = Path(__file__).resolve().parents[2]
 @pytest.fixture(scope="session")
 def build() -> Path:
     return Path(os.environ["THINBENCH_BUILD"])
+
+
+def released(pattern: str) -> list[Path]:
+    """What tools/release made; nothing unless it calls the tests."""
+    directory = os.environ.get("THINBENCH_DIST")
+    return sorted(Path(directory).glob(pattern)) if directory else []
 
 
 def run(*command: object, cwd: Path | None = None, **variables: str) -> str:

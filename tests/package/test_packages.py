@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import ROOT, run
+from conftest import ROOT, released, run
 
 PACKAGES = {"thinbench", "libthinbench-dev", "python3-thinbench"}
 
@@ -19,6 +19,8 @@ PACKAGES = {"thinbench", "libthinbench-dev", "python3-thinbench"}
 def packages(build: Path, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     if shutil.which("dpkg") is None or os.geteuid() != 0:
         pytest.skip("dpkg installs packages, and only for root")
+    if found := released("*.deb"):
+        return found
     directory = tmp_path_factory.mktemp("packages")
     run("cpack", "-G", "DEB", "-B", directory, cwd=build)
     return sorted(directory.glob("*.deb"))

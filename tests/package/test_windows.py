@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import ROOT, readme_block, reuse, run
+from conftest import ROOT, readme_block, released, reuse, run
 from test_cmake_package import OUTPUT, write_example
 from test_wheel import VERSION, copy_tree
 
@@ -73,7 +73,10 @@ def test_installed_library_is_found_and_linked(dll, library, tmp_path):
 
 
 @pytest.fixture(scope="module")
-def wheel(dll: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheel(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    if found := released("*win_amd64.whl"):
+        return found[0]
+    dll = request.getfixturevalue("dll")
     directory = tmp_path_factory.mktemp("wheel")
     copy_tree(directory / "thinbench")
     run(sys.executable, "-m", "build", "--no-isolation", "--outdir", directory, directory / "thinbench",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from argparse import Namespace
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -201,6 +202,16 @@ def test_replayed_slowdowns_are_found_and_equal_builds_pass() -> None:
     recorded = [pair_of(1.0, processes=5 * builds.PAIRS)]
     assert self_test.replay(recorded, 0, 10) == ({PASS: 10}, builds.PAIRS)
     assert self_test.replay(recorded, 5, 10) == ({FAIL: 10}, 2 * builds.PAIRS)
+
+
+@pytest.mark.parametrize(("equal", "slower", "verdict"), [
+    ({PASS: 100}, {FAIL: 90, PASS: 10}, PASS),
+    ({PASS: 100}, {FAIL: 70, PASS: 30}, FAIL),
+    ({PASS: 99, FAIL: 1}, {FAIL: 100}, FAIL),
+    ({PASS: 100}, {FAIL: 40, INCONCLUSIVE: 60}, INCONCLUSIVE),
+    ({PASS: 45, INCONCLUSIVE: 55}, {FAIL: 100}, INCONCLUSIVE)])
+def test_the_self_test_fails_where_verdicts_are_wrong_and_not_where_there_are_none(equal, slower, verdict) -> None:
+    assert self_test.judged({("idle", 0): Counter(equal), ("idle", 5): Counter(slower)}) == verdict
 
 
 def test_processes_of_two_builds_take_turns() -> None:

@@ -1,4 +1,4 @@
-"""What ./study and ./check say before they build: help, wrong options, missing rights."""
+"""What ./study, ./check and tools/release say before they build: help, wrong options, missing rights."""
 
 from __future__ import annotations
 
@@ -47,7 +47,9 @@ def said(directory: Path, *words: str, **environment: str) -> tuple[int, str]:
     ("check --no-install mutants -n -1", 2, "--number: expected an integer of at least 0, got '-1'"),
     ("check soak --help", 0, "soak has --seconds N, --threads N, --seed N"),
     ("check asan tsan", 2, "check: expected one thing to check, got 'asan' and 'tsan'"),
-    ("check fast", 2, "check: 'fast' is neither an option nor something to check; see ./check --help")])
+    ("check fast", 2, "check: 'fast' is neither an option nor something to check; see ./check --help"),
+    ("tools/release --help", 0, "Usage: tools/release"),
+    ("tools/release --fast", 2, "release: '--fast' is not an option; see tools/release --help")])
 def test_command_says_it_in_one_line(command: str, status: int, text: str, tmp_path: Path) -> None:
     found, words = said(tmp_path, *command.split())
     assert (found, text in words) == (status, True), words

@@ -198,15 +198,14 @@ constexpr const char* kOtsu = "otsu";
 constexpr const char* kLocal = "local";
 constexpr int kMaxLevel = 65535;
 
-CLI::Option* add_foreground(CLI::App& app, Foreground& foreground) {
+void add_foreground(CLI::App& app, Foreground& foreground) {
   const std::vector<std::string_view> names(kForegroundNames.begin(), kForegroundNames.end());
   const auto set = [&foreground](const std::string& name) {
     foreground = foreground_from_name(name).value();
   };
-  return app
-      .add_option_function<std::string>("--foreground", set,
-                                        "Which pixels are foreground: auto takes the class that "
-                                        "covers less of the image border")
+  app.add_option_function<std::string>("--foreground", set,
+                                       "Which pixels are foreground: auto takes the class that "
+                                       "covers less of the image border")
       ->check(one_of(names))
       ->type_name("bright|dark|auto")
       ->default_str(std::string(names.front()));
@@ -231,8 +230,7 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
 }
 
 /// --window and --offset, which take effect after --threshold local.
-std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
-                                    CLI::Option* threshold) {
+void add_local(CLI::App& app, BinariseOptions& options, const CLI::Option* threshold) {
   const auto set = [&options, threshold](const char* name, int LocalThreshold::*member) {
     return [&options, threshold, name, member](const std::string& text) {
       if (threshold->count() == 0 || threshold->results().back() != kLocal) {
@@ -243,50 +241,45 @@ std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
       if (member == &LocalThreshold::offset) options.has_offset = true;
     };
   };
-  CLI::Option* const window =
-      app.add_option_function<std::string>(
-             "--window", set("--window", &LocalThreshold::window),
-             "Side of the window, odd, 3 to 65535 (default: an eighth of the "
-             "smaller side, at least 15)")
-          ->check(odd_number(3, 65535))
-          ->type_name("N");
-  CLI::Option* const offset =
-      app.add_option_function<std::string>("--offset", set("--offset", &LocalThreshold::offset),
-                                           "How far foreground is above or below the mean, 0 to "
-                                           "65535 (default: 10, of 16 bits as "
-                                           "large a share of their range)")
-          ->check(whole_number(0, kMaxLevel))
-          ->type_name("N");
-  return {window, offset};
+  app.add_option_function<std::string>(
+         "--window", set("--window", &LocalThreshold::window),
+         "Side of the window, odd, 3 to 65535 (default: an eighth of the "
+         "smaller side, at least 15)")
+      ->check(odd_number(3, 65535))
+      ->type_name("N");
+  app.add_option_function<std::string>("--offset", set("--offset", &LocalThreshold::offset),
+                                       "How far foreground is above or below the mean, 0 to "
+                                       "65535 (default: 10, of 16 bits as "
+                                       "large a share of their range)")
+      ->check(whole_number(0, kMaxLevel))
+      ->type_name("N");
 }
 
 constexpr const char* kOpacity = "alpha";
 
-CLI::Option* add_channel(CLI::App& app, GreyChoice& choice) {
+void add_channel(CLI::App& app, GreyChoice& choice) {
   std::vector<std::string_view> names(kChannelNames.begin(), kChannelNames.end());
   const auto set = [&choice](const std::string& name) {
     choice.opacity = name == kOpacity;
     if (!choice.opacity) choice.channel = channel_from_name(name).value();
   };
   names.emplace_back(kOpacity);
-  return app
-      .add_option_function<std::string>("--channel", set,
-                                        "What becomes the grey level of a colour; auto: what "
-                                        "separates the two classes best; alpha: the opacity")
+  app.add_option_function<std::string>("--channel", set,
+                                       "What becomes the grey level of a colour; auto: what "
+                                       "separates the two classes best; alpha: the opacity")
       ->check(one_of(names))
       ->type_name("grey|red|green|blue|saturation|value|auto|alpha")
       ->default_str(std::string(names.front()));
 }
 
-CLI::Option* add_background(CLI::App& app, std::optional<Backdrop>& backdrop) {
+void add_background(CLI::App& app, std::optional<Backdrop>& backdrop) {
   const auto set = [&backdrop](const std::string& name) {
     backdrop = name == "white" ? Backdrop::white : Backdrop::black;
   };
-  return app
-      .add_option_function<std::string>(
-          "--background", set,
-          "What shows through where an image is transparent (default: the colours stored there, of "
-          "TIFF black)")
+  app.add_option_function<std::string>(
+         "--background", set,
+         "What shows through where an image is transparent (default: the colours stored there, of "
+         "TIFF black)")
       ->check(one_of({"white", "black"}))
       ->type_name("white|black");
 }
@@ -300,20 +293,18 @@ Crop crop_from(const std::string& text) {
   throw UsageError("--crop: expected X,Y,WIDTHxHEIGHT such as 10,20,300x200, got '" + text + "'");
 }
 
-CLI::Option* add_crop(CLI::App& app, Crop& crop) {
+void add_crop(CLI::App& app, Crop& crop) {
   const auto set = [&crop](const std::string& text) { crop = crop_from(text); };
-  return app
-      .add_option_function<std::string>("--crop", set,
-                                        "Take this part of the image: the column and row of its "
-                                        "first pixel, and its size")
+  app.add_option_function<std::string>("--crop", set,
+                                       "Take this part of the image: the column and row of its "
+                                       "first pixel, and its size")
       ->type_name("X,Y,WxH");
 }
 
-CLI::Option* add_blur(CLI::App& app, double& sigma) {
-  return app
-      .add_option("--blur", sigma,
-                  "Smooth grey levels first, by a Gaussian filter of this standard deviation in "
-                  "pixels, 0 to 100")
+void add_blur(CLI::App& app, double& sigma) {
+  app.add_option("--blur", sigma,
+                 "Smooth grey levels first, by a Gaussian filter of this standard deviation in "
+                 "pixels, 0 to 100")
       ->check(real_number(0, 100))
       ->type_name("SIGMA");
 }
@@ -371,42 +362,31 @@ void add_spacing_option(CLI::App& app, Spacing& spacing) {
       ->type_name("DX[,DY]");
 }
 
-void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image) {
-  CLI::Option* const threshold = add_threshold(app, options);
-  std::vector<CLI::Option*> all = add_local(app, options, threshold);
-  all.insert(all.begin(), {add_foreground(app, options.foreground), threshold});
-  all.insert(all.end(), {add_channel(app, options.grey), add_background(app, options.grey.backdrop),
-                         add_blur(app, options.grey.blur), add_crop(app, options.grey.crop)});
-  all.push_back(
-      app.add_flag("--lenient", options.lenient,
-                   "Read damaged JPEG and TIFF files as far as possible, with a warning"));
-  if (image == nullptr) return;
-  for (CLI::Option* option : all) option->needs(image);
+Options add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image) {
+  Options all = options_added(app, [&] {
+    add_foreground(app, options.foreground);
+    add_local(app, options, add_threshold(app, options));
+    add_channel(app, options.grey);
+    add_background(app, options.grey.backdrop);
+    add_blur(app, options.grey.blur);
+    add_crop(app, options.grey.crop);
+    app.add_flag("--lenient", options.lenient,
+                 "Read damaged JPEG and TIFF files as far as possible, with a warning");
+  });
+  for (CLI::Option* option : all) {
+    if (image != nullptr) option->needs(image);
+  }
+  return all;
 }
 
-std::string binarise_words(const BinariseOptions& options) {
+std::string given_words(const Options& options) {
   std::string words;
-  if (options.foreground != Foreground::automatic) {
-    words.append(" --foreground ").append(foreground_name(options.foreground));
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    words += " --" + option->get_lnames().front();
+    const bool is_flag = option->get_expected_max() == 0;
+    if (!is_flag) words += " " + option->results().front();
   }
-  if (options.threshold) words.append(" --threshold ").append(std::to_string(*options.threshold));
-  if (options.local) {
-    words.append(" --threshold local --window ").append(std::to_string(options.local->window));
-    words.append(" --offset ").append(std::to_string(options.local->offset));
-  }
-  const auto& [channel, opacity, backdrop, crop, blur] = options.grey;
-  if (opacity) words.append(" --channel ").append(kOpacity);
-  if (!opacity && channel != Channel::grey)
-    words.append(" --channel ").append(channel_name(channel));
-  if (backdrop)
-    words.append(*backdrop == Backdrop::white ? " --background white" : " --background black");
-  std::ostringstream numbers;
-  if (blur > 0) numbers << " --blur " << fmt::to_string(blur);
-  if (crop.height > 0) {
-    numbers << " --crop " << crop.x << ',' << crop.y << ',' << crop.width << 'x' << crop.height;
-  }
-  words += numbers.str();
-  if (options.lenient) words.append(" --lenient");
   return words;
 }
 

@@ -82,11 +82,22 @@ void add_isa_option(CLI::App& app, std::optional<Isa>& isa);
 /// `--threads N`, one thread by default.
 void add_threads_option(CLI::App& app, int& threads);
 
-/// `image` is the option without which these have no meaning; nullptr where the command always
-/// reads an image.
-void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image = nullptr);
+using Options = std::vector<CLI::Option*>;
 
-/// The options that were given, each with a space before it: " --foreground dark".
-[[nodiscard]] std::string binarise_words(const BinariseOptions& options);
+/// Those that `add` adds to the command.
+template <class Add>
+Options options_added(CLI::App& app, const Add& add) {
+  const std::size_t before = app.get_options().size();
+  add();
+  const Options all = app.get_options();
+  return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
+}
+
+/// Returns them. `image` is the option without which these have no meaning; nullptr where the
+/// command always reads an image.
+Options add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image = nullptr);
+
+/// Those of the options that were given, each with a space before it: " --foreground dark".
+[[nodiscard]] std::string given_words(const Options& options);
 
 }  // namespace thinbench

@@ -266,14 +266,17 @@ Command add_batch_command(CLI::App& program) {
   add_isa_option(*app, operation.thinning.execution.isa);
   options->settings.threads = std::min(tbb::info::default_concurrency(), kMaxThreads);
   add_threads_option(*app, options->settings.threads);
-  add_thinning_options(*app, operation.thinning);
-  add_edge_thresholds(*app, operation.edges);
-  add_graph_options(*app, operation.graph);
+  const auto added = [app](const auto& add, auto& request) {
+    return options_added(*app, [&] { add(*app, request); });
+  };
+  operation.of_thinning = added(add_thinning_options, operation.thinning);
+  operation.of_edges = added(add_edge_thresholds, operation.edges);
+  operation.of_graphs = added(add_graph_options, operation.graph);
   app->add_option("--min-area", operation.min_area,
                   "Omit objects and holes of fewer than N pixels, 1 to 2^31 (holes)")
       ->check(whole_number(1, kMaxImagePixels))
       ->type_name("N");
-  add_binarise_options(*app, operation.binarise);
+  operation.of_binarise = add_binarise_options(*app, operation.binarise);
   app->footer(kFooter);
   return {app, [options](const Console& console) {
             options->inputs.out = options->settings.out;

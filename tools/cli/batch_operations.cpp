@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/region_request.hpp"
 #include "cli/scan_request.hpp"
 #include "support/json_field.hpp"
@@ -82,7 +81,7 @@ BatchOperation thinning_operation(const BatchOperationRequest& request) {
     words.other_operations.push_back(info.operation);
   const RequestedThinning thinning = requested_thinning(words);
   check_options(thinning);
-  return {thinning.name + thinning_words(request.thinning) + thinning.contents,
+  return {thinning.name + given_words(request.of_thinning) + thinning.contents,
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
 
@@ -101,7 +100,7 @@ BatchOperation scan_operation(const BatchOperationRequest& request) {
                            GreyImage grey, BatchRecord& record) {
     return compute_scan(std::move(grey), record, scan, options);
   };
-  return {std::string(kScanOperation) + thinning_words(request.thinning),
+  return {std::string(kScanOperation) + given_words(request.of_thinning),
           [compute] { return compute; }};
 }
 
@@ -125,7 +124,7 @@ BatchOperation edges_operation(const BatchOperationRequest& request) {
   const auto compute = [request, op](GreyImage grey, BatchRecord& record) {
     return compute_edges(std::move(grey), record, request, op);
   };
-  return {std::string(edge_operator_info(op).operation) + edge_words(request.edges),
+  return {std::string(edge_operator_info(op).operation) + given_words(request.of_edges),
           [compute] { return compute; }};
 }
 
@@ -154,7 +153,8 @@ BatchOperation regions_operation(const BatchOperationRequest& request) {
   };
   const std::string area =
       request.min_area ? " --min-area " + std::to_string(*request.min_area) : "";
-  return {request.thinning.rule + edge_words(request.edges) + area, [compute] { return compute; }};
+  return {request.thinning.rule + given_words(request.of_edges) + area,
+          [compute] { return compute; }};
 }
 
 BatchResult compute_graph(GreyImage grey, BatchRecord& record,
@@ -178,7 +178,7 @@ BatchOperation graph_operation(const BatchOperationRequest& request) {
   const auto compute = [request](GreyImage grey, BatchRecord& record) {
     return compute_graph(std::move(grey), record, request);
   };
-  return {kGraph + graph_words(request.graph) + contents, [compute] { return compute; }};
+  return {kGraph + given_words(request.of_graphs) + contents, [compute] { return compute; }};
 }
 
 bool makes_edges(const BatchOperationRequest& request) {
@@ -217,17 +217,17 @@ BatchOperation batch_operation(const BatchOperationRequest& request) {
   const bool edges = makes_edges(request);
   const bool regions = makes_regions(request);
   const bool json = makes_json(request);
-  check_applies(edges || request.thinning.rule == kLocalise, edge_words(request.edges), request);
+  check_applies(edges || request.thinning.rule == kLocalise, given_words(request.of_edges),
+                request);
   check_applies(regions, request.min_area ? " --min-area" : "", request);
-  check_applies(makes_graphs(request), graph_words(request.graph), request);
-  check_applies(!edges && !json, thinning_words(request.thinning), request);
-  check_applies(!edges && !json, request.thinning.optimise ? " --optimise" : "", request);
+  check_applies(makes_graphs(request), given_words(request.of_graphs), request);
+  check_applies(!edges && !json, given_words(request.of_thinning), request);
   check_applies(!json, request.format.empty() ? "" : " --format", request);
   const std::string overlay = request.overlay.empty() ? "" : " --overlay " + request.overlay;
   check_applies(json, overlay, request);
   check_applies(json, request.table.empty() ? "" : " --table", request);
   BatchOperation operation = operation_of(request);
-  operation.name += binarise_words(request.binarise) + overlay;
+  operation.name += given_words(request.of_binarise) + overlay;
   // On any image: rejects an ISA that it lacks before a file is written.
   BatchRecord ignored;
   static_cast<void>(operation.make()(GreyImage(ByteImage(8, 8)), ignored));

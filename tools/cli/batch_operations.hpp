@@ -6,6 +6,7 @@
 #include <string>
 
 #include "batch/pipeline.hpp"
+#include "cli/arguments.hpp"
 #include "cli/edge_request.hpp"
 #include "cli/graph_request.hpp"
 #include "cli/thinning_request.hpp"
@@ -22,6 +23,12 @@ struct BatchOperationRequest {
   std::string format;   // of images; empty: png
   std::string overlay;  // "svg" or "png"; empty: none
   std::string table;    // a file; empty: none
+
+  // The options behind these, as some were given.
+  Options of_thinning;
+  Options of_edges;
+  Options of_graphs;
+  Options of_binarise;
 };
 
 /// Whether results are JSON instead of images, and those of graphs.

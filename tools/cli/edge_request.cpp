@@ -37,15 +37,4 @@ EdgeThresholds prepare_for_edges(ByteImage& grey, const BinaryImage& binary,
   return {request.gradient_threshold, request.brightness_threshold.value_or(highest)};
 }
 
-std::string edge_words(const EdgeRequest& request) {
-  std::string words;
-  if (request.gradient_threshold != EdgeRequest{}.gradient_threshold) {
-    words += " --gradient-threshold " + std::to_string(request.gradient_threshold);
-  }
-  if (request.brightness_threshold) {
-    words += " --brightness-threshold " + std::to_string(*request.brightness_threshold);
-  }
-  return words;
-}
-
 }  // namespace thinbench

@@ -24,7 +24,4 @@ void add_edge_thresholds(CLI::App& app, EdgeRequest& request);
 [[nodiscard]] EdgeThresholds prepare_for_edges(ByteImage& grey, const BinaryImage& binary,
                                                const EdgeRequest& request);
 
-/// The options given, each with a space before it.
-[[nodiscard]] std::string edge_words(const EdgeRequest& request);
-
 }  // namespace thinbench

@@ -218,10 +218,6 @@ GraphCommandOptions checked(GraphCommandOptions options) {
   static_cast<void>(transform_of(options));
   check_names(options);
   static_cast<void>(checked_thinning(options.request));
-  const std::string words = binarise_words(options.binarise);
-  if (options.has_labels && !words.empty()) {
-    throw UsageError("--labels excludes" + words + ": labels are read as they are");
-  }
   for (const std::string& node : options.nodes) {
     options.request.nodes.push_back(pixel_from("--node", node));
   }
@@ -285,7 +281,9 @@ Command add_graph_command(CLI::App& program) {
                   "Image that gives the widths, where IN is a skeleton made from it");
   add_files(*app, *options);
   add_threads_option(*app, options->request.threads);
-  add_binarise_options(*app, options->binarise);
+  for (CLI::Option* option : add_binarise_options(*app, options->binarise)) {
+    option->excludes(labels);
+  }
   app->footer(R"(Examples:
   thinbench graph roads.png
   thinbench graph roads.png --prune 10 --overlay roads.svg --csv roads.csv

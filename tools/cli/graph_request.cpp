@@ -96,25 +96,6 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
       ->capture_default_str();
 }
 
-std::string graph_words(const GraphRequest& request) {
-  const GraphRequest usual;
-  std::string words;
-  if (request.thinning != usual.thinning) words += " --thinning " + request.thinning;
-  const Pruning& pruning = request.pruning;
-  const Spacing& spacing = pruning.spacing;
-  if (spacing != Spacing{}) words += fmt::format(" --spacing {},{}", spacing.x, spacing.y);
-  if (!request.unit.empty()) words += " --unit " + request.unit;
-  if (pruning.min_length > 0) words += fmt::format(" --prune {}", pruning.min_length);
-  if (pruning.min_widths > 0) words += fmt::format(" --prune-widths {}", pruning.min_widths);
-  if (pruning.removes_components) words += " --remove-components";
-  if (request.open_cycles) words += fmt::format(" --open-cycles {}", *request.open_cycles);
-  if (request.with_main_paths) words += " --main-path";
-  if (request.tolerance != usual.tolerance) {
-    words += fmt::format(" --tolerance {}", request.tolerance);
-  }
-  return words;
-}
-
 std::string checked_thinning(const GraphRequest& request) {
   if (request.is_skeleton()) return {};
   const RequestedThinning thinning = thinning_of(request);

@@ -31,9 +31,6 @@ struct GraphRequest {
 /// --main-path and --tolerance.
 void add_graph_options(CLI::App& app, GraphRequest& request);
 
-/// The options given, each with a space before it.
-[[nodiscard]] std::string graph_words(const GraphRequest& request);
-
 /// A hash of the rule's file, as RequestedThinning has it. Throws UsageError where no operation of
 /// this name thins.
 [[nodiscard]] std::string checked_thinning(const GraphRequest& request);

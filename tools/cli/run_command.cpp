@@ -21,6 +21,7 @@ struct RunOptions {
   ThinningFiles files;
   BinariseOptions binarise;
   PackedOptions packed;
+  Options of_binarise;  // some were given
 };
 
 /// Of operations that other commands do.
@@ -62,7 +63,7 @@ int run(const RunOptions& options, const Console& console) {
   check_options(thinning);
   const auto& [in, out] = options.files;
   const bool is_packed = is_packed_run(options.packed, out);
-  if (is_packed) reject_for_packed_files(options.binarise);
+  if (is_packed) reject_for_packed_files(options.of_binarise);
   FileBytes file = read_input(in);
   check_replaced(file, out);
   if (is_packed) return run_packed(options.packed, thinning, std::move(file), out, console);
@@ -98,7 +99,7 @@ Command add_run_command(CLI::App& program) {
   add_isa_option(*app, options->thinning.execution.isa);
   add_threads_option(*app, options->thinning.execution.threads);
   add_thinning_options(*app, options->thinning);
-  add_binarise_options(*app, options->binarise);
+  options->of_binarise = add_binarise_options(*app, options->binarise);
   add_packed_options(*app, options->packed);
   app->footer(R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png

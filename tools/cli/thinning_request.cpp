@@ -166,19 +166,4 @@ void check_options(const RequestedThinning& requested) {
   }
 }
 
-std::string thinning_words(const ThinningRequest& request) {
-  std::string words;
-  const auto add = [&words](const char* option, std::string_view value) {
-    words.append(" ").append(option).append(" ").append(value);
-  };
-  const Thinning& thinning = request.thinning;
-  if (thinning.border) add("--border", border_name(*thinning.border));
-  if (thinning.max_iterations) {
-    add("--max-iterations", std::to_string(*thinning.max_iterations));
-  }
-  if (!request.weights.empty()) add("--weights", request.weights);
-  if (!request.directions.empty()) add("--directions", request.directions);
-  return words;
-}
-
 }  // namespace thinbench

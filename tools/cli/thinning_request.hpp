@@ -44,7 +44,4 @@ struct RequestedThinning {
 /// Throws UsageError where the rule cannot be applied with these options.
 void check_options(const RequestedThinning& requested);
 
-/// The options given that change results, each with a space before it: " --border keep".
-[[nodiscard]] std::string thinning_words(const ThinningRequest& request);
-
 }  // namespace thinbench

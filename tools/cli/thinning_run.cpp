@@ -111,8 +111,8 @@ std::string thin_packed_file(const RequestedThinning& thinning, FileBytes in,
   return thin_packed_image(thinning, image, [&] { write_bytes(out, in.text()); });
 }
 
-void reject_for_packed_files(const BinariseOptions& options) {
-  const std::string words = binarise_words(options);
+void reject_for_packed_files(const Options& options) {
+  const std::string words = given_words(options);
   if (words.empty()) return;
   throw UsageError(words.substr(1, words.find(' ', 1) - 1) +
                    " does not apply to packed files, whose pixels have one bit");

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/scan_request.hpp"
 #include "cli/thinning_request.hpp"
@@ -50,6 +51,6 @@ struct RunSummary {
                                            const std::string& out, const PackedFormat& format);
 
 /// Throws UsageError for options that choose the foreground among grey levels.
-void reject_for_packed_files(const BinariseOptions& options);
+void reject_for_packed_files(const Options& of_binarise);
 
 }  // namespace thinbench
