@@ -61,7 +61,7 @@ def _replay(benchmarks: Benchmarks, facts: Json, trials: int) -> tuple[str, Verd
     """Trials on recorded processes, one row of one build slowed down afterwards."""
     lines = [f"Two builds, {trials} trials each on recorded processes:",
              "  load       slower   FAIL  INCONCLUSIVE  PASS   pairs"]
-    found_of = {}
+    found_of: dict[tuple[str, int], Counter[Verdict]] = {}
     for load, scripts in LOADS.items():
         _say(f"recording, {load}")
         pairs = builds.common_pairs(facts, facts)[0]
@@ -77,7 +77,7 @@ def _replay(benchmarks: Benchmarks, facts: Json, trials: int) -> tuple[str, Verd
     return "\n".join(lines), judged(found_of)
 
 
-def judged(found_of: dict[tuple[str, float], Counter[Verdict]]) -> Verdict:
+def judged(found_of: dict[tuple[str, int], Counter[Verdict]]) -> Verdict:
     """Of the trials of each load and slowdown."""
     alarms = [found[Verdict.FAIL] / found.total() for (_, percent), found in found_of.items() if percent == 0]
     missed = any(found[Verdict.FAIL] < NEEDED.get(percent, 0) * (found[Verdict.FAIL] + found[Verdict.PASS])
