@@ -41,9 +41,9 @@ std::optional<std::string> after(const std::string& line, const char* mark) {
 }
 
 /// What valgrind and the program say, line by line.
-struct Said {
+struct Answer {
   std::string version;
-  std::string latest;                               // what was said last
+  std::string latest;                               // the last line
   std::optional<std::uint64_t> collected;           // by the process that ends now
   std::vector<std::optional<std::uint64_t>> calls;  // by processes that have ended
 
@@ -71,7 +71,7 @@ std::string command_line(const std::string& program, const std::string& input) {
 /// `program` reads `input` from memory that reads like a file and leaves none behind.
 std::FILE* start(const std::string& program, const std::string& input) {
   const int file = memfd_create("job", 0);
-  if (file < 0) throw_errno("no memory to tell valgrind in");
+  if (file < 0) throw_errno("no memory for the input of valgrind");
   const std::string path = "/dev/fd/" + std::to_string(file);
   std::ofstream(path) << input;
   std::FILE* const output = popen(command_line(program, path).c_str(), "r");
@@ -80,8 +80,8 @@ std::FILE* start(const std::string& program, const std::string& input) {
   return output;
 }
 
-Said listen(std::FILE* output, std::size_t calls) {
-  Said said;
+Answer listen(std::FILE* output, std::size_t calls) {
+  Answer answer;
   Progress progress("counting under callgrind", static_cast<double>(calls));
   std::string line;
   for (int next = 0; (next = std::getc(output)) != EOF;) {
@@ -89,27 +89,27 @@ Said listen(std::FILE* output, std::size_t calls) {
       line += static_cast<char>(next);
       continue;
     }
-    const std::size_t before = said.calls.size();
-    said.add(line);
+    const std::size_t before = answer.calls.size();
+    answer.add(line);
     line.clear();
-    if (said.calls.size() > before) progress.advance(1);
+    if (answer.calls.size() > before) progress.advance(1);
   }
-  return said;
+  return answer;
 }
 
-/// The first call was empty: what it counts stands round all others.
-void take_counts(const Said& said, const std::vector<const TimedRow*>& rows,
+/// The first call was empty: what it counts surrounds all others.
+void take_counts(const Answer& answer, const std::vector<const TimedRow*>& rows,
                  CallgrindCounts& counts) {
-  if (said.calls.empty() || !said.calls[0]) return;
-  for (std::size_t i = 1; i < said.calls.size() && i <= rows.size(); ++i) {
-    if (said.calls[i]) counts.instructions[rows[i - 1]] = *said.calls[i] - *said.calls[0];
+  if (answer.calls.empty() || !answer.calls[0]) return;
+  for (std::size_t i = 1; i < answer.calls.size() && i <= rows.size(); ++i) {
+    if (answer.calls[i]) counts.instructions[rows[i - 1]] = *answer.calls[i] - *answer.calls[0];
   }
 }
 
-std::string why_not(const Said& said, int status, std::size_t missing) {
+std::string why_not(const Answer& answer, int status, std::size_t missing) {
   if (status != 0) {
     const int number = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return "valgrind ended with status " + std::to_string(number) + ": " + said.latest;
+    return "valgrind ended with status " + std::to_string(number) + ": " + answer.latest;
   }
   return missing == 0 ? "" : std::to_string(missing) + " rows failed under valgrind";
 }
@@ -145,11 +145,11 @@ CallgrindCounts CallgrindRun::counts() {
   CallgrindCounts counts;
   counts.use.why_not = why_not_;
   if (!output_) return counts;
-  const Said said = listen(output_.get(), rows_.size());
+  const Answer answer = listen(output_.get(), rows_.size());
   const int status = pclose(output_.release());
-  take_counts(said, rows_, counts);
-  if (!counts.instructions.empty()) counts.use.version = said.version;
-  counts.use.why_not = why_not(said, status, rows_.size() - counts.instructions.size());
+  take_counts(answer, rows_, counts);
+  if (!counts.instructions.empty()) counts.use.version = answer.version;
+  counts.use.why_not = why_not(answer, status, rows_.size() - counts.instructions.size());
   return counts;
 }
 

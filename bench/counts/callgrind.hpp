@@ -30,7 +30,7 @@ struct CallgrindCounts {
   }
 };
 
-/// Whether valgrind knows the instructions of the row's level.
+/// Whether valgrind knows the instructions of the row's ISA.
 [[nodiscard]] bool callgrind_knows(const TimedRow& row);
 
 /// Why callgrind can count nothing here; empty where it can.

@@ -1,5 +1,5 @@
 // The program that callgrind runs: reads a job from standard input and calls each of its rows in a
-// process of its own, with callgrind's counters on round one warm call. Callgrind says at the end
+// process of its own, with callgrind's counters on around one warm call. Callgrind says at the end
 // of each process what it counted. It links no more than the rows, because all of it starts slowly.
 #include <exception>
 #include <iostream>
@@ -13,7 +13,7 @@
 namespace thinbench {
 namespace {
 
-/// Not inlined, so that what stands round the call is the same for every row. Instrumentation is
+/// Not inlined, so that what surrounds the call is the same for every row. Instrumentation is
 /// for the whole process, collecting for this thread: another one may just be on its way to wait.
 [[gnu::noinline]] void count(const CountedCall& call) {
   CALLGRIND_START_INSTRUMENTATION;

@@ -45,14 +45,12 @@ class TrapHandler {
   ~TrapHandler() { sigaction(SIGTRAP, &before_, nullptr); }
   TrapHandler(const TrapHandler&) = delete;
   TrapHandler& operator=(const TrapHandler&) = delete;
-  TrapHandler(TrapHandler&&) = delete;
-  TrapHandler& operator=(TrapHandler&&) = delete;
 
  private:
   struct sigaction before_ {};
 };
 
-/// The instructions of a call and of setting and clearing the flag round it.
+/// The instructions of a call and of setting and clearing the flag around it.
 [[gnu::noinline]] Walk walk_through(const std::function<void()>& call, std::uint64_t most) {
   walk = {.most = most};
   std::atomic_signal_fence(std::memory_order_seq_cst);

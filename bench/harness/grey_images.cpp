@@ -11,7 +11,7 @@ struct Levels {
   std::uint8_t lowest;
   std::uint8_t highest;
 };
-/// All levels; levels round thresholds; levels whose differences are small.
+/// All levels; levels around thresholds; levels whose differences are small.
 constexpr std::array kLevels = {Levels{0, 255}, Levels{90, 170}, Levels{118, 138}, Levels{0, 40},
                                 Levels{215, 255}};
 

@@ -17,7 +17,7 @@ template <class Input>
 }
 
 /// The file's name without directory and extension, unlike all `taken` names; holds no '/'. What
-/// `reserved` matches is never given: such a name gets "_image" behind it, which `reserved` must
+/// `reserved` matches is never given: to such a name "_image" is appended, which `reserved` must
 /// let pass, with a number behind that, too.
 [[nodiscard]] std::string image_name(const std::string& path, const std::vector<std::string>& taken,
                                      const std::regex& reserved);

@@ -26,8 +26,6 @@ class Job {
   virtual ~Job() = default;
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
-  Job(Job&&) = delete;
-  Job& operator=(Job&&) = delete;
 
   /// From input bytes to the result. Jobs that give no image leave `output` alone.
   virtual void run(const ConstImageView& input, const ImageView& output) = 0;

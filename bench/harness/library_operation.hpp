@@ -73,27 +73,27 @@ class PixelNumbers {
 template <class Result>
 class ResultJob : public Job {
  public:
-  explicit ResultJob(Result result = {}) : result_(std::move(result)) {}
+  explicit ResultJob(Result given = {}) : result(std::move(given)) {}
 
-  [[nodiscard]] std::vector<std::int64_t> numbers() const final { return result_.numbers(); }
+  [[nodiscard]] std::vector<std::int64_t> numbers() const final { return result.numbers(); }
   [[nodiscard]] std::string name_of_number(std::size_t index) const final {
-    return result_.name_of_number(index);
+    return result.name_of_number(index);
   }
   [[nodiscard]] bool gives_image() const final { return Result::kGivesImage; }
 
  protected:
-  Result result_;
+  Result result;
 };
 
 /// Calls `function(input, output, result)`.
 template <class Result, class Function>
 class FunctionJob final : public ResultJob<Result> {
  public:
-  FunctionJob(Function function, Result result)
-      : ResultJob<Result>(std::move(result)), function_(std::move(function)) {}
+  FunctionJob(Function function, Result given)
+      : ResultJob<Result>(std::move(given)), function_(std::move(function)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    function_(input, output, this->result_);
+    function_(input, output, this->result);
   }
 
  private:

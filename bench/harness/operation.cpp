@@ -58,7 +58,7 @@ std::regex compiled(const std::string& filter) {
   try {
     return std::regex(filter, std::regex::ECMAScript | std::regex::optimize);
   } catch (const std::regex_error& error) {
-    throw std::invalid_argument("'" + filter + "' is no regular expression: " + error.what());
+    throw std::invalid_argument("'" + filter + "' is not a regular expression: " + error.what());
   }
 }
 

@@ -63,7 +63,7 @@ struct Operation {
 };
 
 /// Whether a case is timed and counted with this filter, a regular expression for names of results:
-/// all that are timed as a rule, and those whose name stands in the filter letter by letter, as in
+/// all that are usually timed, and those whose name is written out in the filter, as in
 /// "^thin_mb2:keep/".
 [[nodiscard]] inline bool is_requested(const Operation& operation, std::string_view filter) {
   return operation.timed || filter.find(operation.name) != std::string_view::npos;

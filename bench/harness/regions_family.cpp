@@ -64,16 +64,16 @@ class StateJob final : public ResultJob<Result> {
   explicit StateJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    run_state(*state_, input, output, this->result_);
+    run_state(*state_, input, output, this->result);
   }
   void load(const ConstImageView& input) override {
     if (!image_) image_.emplace(best_isa(), input.width, input.height);
     bits_ = image_->read(input);
   }
-  void kernel() override { run_kernel(*state_, bits_, this->result_); }
+  void kernel() override { run_kernel(*state_, bits_, this->result); }
   void store(const ImageView& output) const override {
     if constexpr (Result::kGivesImage) {
-      detail::plane_conversion<std::uint64_t>(best_isa()).write(this->result_.bits, output);
+      detail::plane_conversion<std::uint64_t>(best_isa()).write(this->result.bits, output);
     } else {
       Job::store(output);
     }

@@ -10,7 +10,7 @@
 namespace thinbench {
 namespace {
 
-/// A view into a buffer with guards round it, at an odd stride and alignment.
+/// A view into a buffer with guards around it, at an odd stride and alignment.
 class Guarded {
  public:
   static constexpr std::uint8_t kGuard = 0xA5;

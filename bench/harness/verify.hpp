@@ -15,7 +15,7 @@ namespace thinbench {
 
 /// Runs the job on `input` inside larger buffers: strides exceed the width, the destination is
 /// filled with garbage first, and the job has worked on another image of the same size. Returns
-/// what is wrong: first differing pixel with a window round it, first differing number, bytes
+/// what is wrong: first differing pixel with a window around it, first differing number, bytes
 /// written beside the destination, a changed input. Nothing where all is as it should be.
 [[nodiscard]] std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
                                                        const Outcome& expected);
@@ -25,7 +25,7 @@ namespace thinbench {
 [[nodiscard]] std::optional<std::string> find_kernel_mismatch(Job& job, const ConstImageView& input,
                                                               const Outcome& expected);
 
-/// A window of the image round (x, y), '#' foreground and '.' background.
+/// A window of the image around (x, y), '#' foreground and '.' background.
 [[nodiscard]] std::string window_text(const ConstImageView& image, Index x, Index y);
 
 /// How one variant compared with the reference over all images that were shown to it.

@@ -176,6 +176,7 @@ void initialize(std::vector<std::string>& words) {
   words.insert(words.begin() + 1,
                {"--benchmark_enable_random_interleaving=true", "--benchmark_min_time=1e-9"});
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());

@@ -94,7 +94,7 @@ class ReadBitsJob final : public ResultJob<Combined> {
       const std::uint64_t* row = from.row(y);
       for (Index i = 0; i < words; ++i) combined ^= row[i];
     }
-    result_.words = combined;
+    result.words = combined;
   }
 
  private:

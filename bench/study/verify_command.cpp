@@ -43,45 +43,14 @@ TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind k
           kind == InputKind::grey ? std::move(scene.grey) : std::move(scene.binary), kind};
 }
 
-/// Files to compare on, and how they become binary.
-struct GivenImages {
-  const std::vector<std::string>& files;
-  const BinariseOptions& binarise;
-  std::ostream& log;
-
-  [[nodiscard]] TestImage image(const std::string& file, InputKind kind) const {
-    if (kind == InputKind::grey) return {file, read_grey(file, binarise, log), kind};
-    return {file, read_binary(file, binarise, &log), kind};
-  }
-};
-
-/// A set of images that are there already.
-TestImageSet set_of(std::string name, std::string claim, std::vector<TestImage> images) {
+/// A set of images that are there already. Names of binary sets stay bare.
+TestImageSet set_of(const std::string& name, std::string claim, std::vector<TestImage> images) {
   const InputKind kind = images.front().kind;
   const auto kept = std::make_shared<const std::vector<TestImage>>(std::move(images));
   const auto generate = [kept](const TestImageSink& sink) {
     for (const TestImage& image : *kept) sink(image);
   };
-  return {std::move(name), std::move(claim), generate, kind};
-}
-
-/// Names of binary sets stay bare.
-std::string named(InputKind kind, const std::string& name) {
-  return (kind == InputKind::grey ? "grey_" : "") + name;
-}
-
-TestImageSet scenes(InputKind kind) {
-  std::vector<TestImage> images;
-  images.push_back(scene_image(SceneKind::parts, "separate parts", kind));
-  images.push_back(scene_image(SceneKind::border_touching, "parts on the image border", kind));
-  return set_of(named(kind, "scenes"), "the scenes that benchmarks use", std::move(images));
-}
-
-TestImageSet given_images(InputKind kind, const GivenImages& given) {
-  std::vector<TestImage> images;
-  images.reserve(given.files.size());
-  for (const std::string& file : given.files) images.push_back(given.image(file, kind));
-  return set_of(named(kind, "images"), "the given files", std::move(images));
+  return {(kind == InputKind::grey ? "grey_" : "") + name, std::move(claim), generate, kind};
 }
 
 /// The built-in sets (without the big ones where `quick`), the scenes, and the images in these
@@ -93,8 +62,17 @@ std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::s
     if (!quick || !is_big(set)) sets.push_back(set);
   }
   for (const InputKind kind : {InputKind::binary, InputKind::grey}) {
-    sets.push_back(scenes(kind));
-    if (!files.empty()) sets.push_back(given_images(kind, {files, binarise, log}));
+    std::vector<TestImage> scenes, given;
+    scenes.push_back(scene_image(SceneKind::parts, "separate parts", kind));
+    scenes.push_back(scene_image(SceneKind::border_touching, "parts on the image border", kind));
+    sets.push_back(set_of("scenes", "the scenes that benchmarks use", std::move(scenes)));
+    for (const std::string& file : files) {
+      const bool is_grey = kind == InputKind::grey;
+      given.push_back({file,
+                       is_grey ? read_grey(file, binarise, log) : read_binary(file, binarise, &log),
+                       kind});
+    }
+    if (!files.empty()) sets.push_back(set_of("images", "the given files", std::move(given)));
   }
   return sets;
 }

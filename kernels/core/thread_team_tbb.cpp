@@ -99,8 +99,6 @@ struct ThreadTeam::Workers {
   ~Workers() { arena_pool().give_back(std::move(arena)); }
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
-  Workers(Workers&&) = delete;
-  Workers& operator=(Workers&&) = delete;
 
   Arenas::node_type arena;
 };

@@ -95,7 +95,7 @@ def filled(document: Path, makers: dict[str, Maker]) -> str:
     names = [mark[2] for mark in MARK.finditer(text)]
     unknown = [name for name in names if name not in NAMES]
     if unknown or not names:
-        what = f"'{unknown[0]}' is no mark" if unknown else "there is no mark"
+        what = f"'{unknown[0]}' is not a mark" if unknown else "there is no mark"
         raise ReportError(f"{document}: {what}; expected '<!-- NAME: made by report readme -->' and "
                           f"its '<!-- end -->', NAME one of {', '.join(NAMES)}")
 

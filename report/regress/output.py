@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
+from report.formatting import duration, markdown_table
 from report.measure.estimates import Estimate
 from report.measure.benchmarks import Json
 from report.regress.verdicts import Layer, RowVerdict, Times, Verdict
@@ -104,9 +105,8 @@ def to_markdown(outcome: Outcome) -> str:
     rows = [(layer, row) for verdict in (Verdict.FAIL, Verdict.INCONCLUSIVE) for layer, row in _rows(outcome, verdict)]
     if not rows:
         return ""
-    lines = [f"| {row.verdict} | {layer} | `{row.name}` | {about(row)} |\n" for layer, row in rows]
-    return "".join([f"### thinbench: {outcome.summary}\n\n", "| verdict | layer | row | |\n",
-                    "|---|---|---|---|\n", *lines])
+    lines = [[str(row.verdict), layer, f"`{row.name}`", about(row)] for layer, row in rows]
+    return f"### thinbench: {outcome.summary}\n\n" + markdown_table(["verdict", "layer", "row", ""], lines)
 
 
 def _rows(outcome: Outcome, verdict: Verdict) -> Iterator[tuple[str, RowVerdict]]:
@@ -123,17 +123,10 @@ def _percent(ratio: float) -> str:
 
 
 def _times_text(before: Times, now: Times) -> str:
-    text = f"{_duration(before.row)} before, {_duration(now.row)} now"
+    text = f"{duration(before.row)} before, {duration(now.row)} now"
     if before.reference and now.reference:
-        text += f"; reference {_duration(before.reference)} before, {_duration(now.reference)} now"
+        text += f"; reference {duration(before.reference)} before, {duration(now.reference)} now"
     return text
-
-
-def _duration(nanoseconds: float) -> str:
-    for unit, size in (("ms", 1e6), ("us", 1e3)):
-        if nanoseconds >= size:
-            return f"{nanoseconds / size:.4g} {unit}"
-    return f"{nanoseconds:.4g} ns"
 
 
 def _escaped(text: str) -> str:

@@ -49,8 +49,6 @@ class SparseMemory {
   ~SparseMemory() { free_sparse_memory(data_, bytes_); }
   SparseMemory(const SparseMemory&) = delete;
   SparseMemory& operator=(const SparseMemory&) = delete;
-  SparseMemory(SparseMemory&&) = delete;
-  SparseMemory& operator=(SparseMemory&&) = delete;
 
   [[nodiscard]] std::uint8_t* data() const { return static_cast<std::uint8_t*>(data_); }
 

@@ -171,15 +171,16 @@ TEST_F(BatchFailures, no_new_directory_is_left_where_there_can_be_no_manifest) {
   }
 }
 
-TEST_F(BatchFailures, file_that_is_no_manifest_or_belongs_to_another_run_is_never_replaced) {
+TEST_F(BatchFailures, file_that_is_not_a_manifest_or_belongs_to_another_run_is_never_replaced) {
   put("table.csv", "a,b\n1,2\n");
   put("lines.jsonl", "{\"a\": 1}\n");
   put("held.csv", "");
   const int held = open("held.csv", O_RDWR);
   flock(held, LOCK_EX);
   for (const auto& [file, reason] : std::vector<std::pair<std::string, std::string>>{
-           {"table.csv", "no manifest of this program: its first line does not name the columns"},
-           {"lines.jsonl", "no manifest of this program: its first line is no record"},
+           {"table.csv",
+            "not a manifest of this program: its first line does not name the columns"},
+           {"lines.jsonl", "not a manifest of this program: its first line is not a record"},
            {"held.csv", "another run is writing it"}}) {
     const std::string before = bytes_of(file);
     const ProgramRun ran = batch("thin_guo_hall in --manifest " + file);

@@ -24,7 +24,7 @@ TEST(ManifestText, nested_values_and_values_of_wrong_types_are_no_records) {
         std::string(R"({"file":1,"page":"2","error":null})"), std::string(R"({"file":1})"),
         std::string(R"({"file":)")}) {
     EXPECT_EQ(rejection(line + "\n", TableFormat::json_lines),
-              "it is no manifest of this program: a line is no record")
+              "it is not a manifest of this program: a line is not a record")
         << line.substr(0, 99);
   }
 }
@@ -36,7 +36,7 @@ TEST(ManifestText, pages_are_numbers) {
   EXPECT_EQ(parse_manifest(head + "a.png,2" + end, TableFormat::csv).lines.front().page, 2);
   for (const char* page : {"", "x", "2x", "99999999999"}) {
     EXPECT_EQ(rejection(head + "a.png," + page + end, TableFormat::csv),
-              "it is no manifest of this program: a page has no number")
+              "it is not a manifest of this program: a page has no number")
         << page;
   }
 }

@@ -70,7 +70,7 @@ TEST_F(RuleCommand, lists_the_named_rules) {
 
 TEST_F(RuleCommand, rejects_rules_without_tables_and_wrong_words) {
   expect_rejected({
-      {2, "rule thin_mb2 --save a.json", {"thin_mb2 is no function of 3 x 3"}},
+      {2, "rule thin_mb2 --save a.json", {"thin_mb2 does not depend on 3 x 3"}},
       {2, "rule", {"rule needs RULE, or --list"}},
       {2, "rule majority --list", {"--list takes no RULE"}},
       {2, "rule majority in.png out.png", {"'in.png' was not expected"}},

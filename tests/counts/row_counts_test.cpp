@@ -42,8 +42,6 @@ class PathWithoutValgrind {
   ~PathWithoutValgrind() { setenv("PATH", before_.c_str(), 1); }
   PathWithoutValgrind(const PathWithoutValgrind&) = delete;
   PathWithoutValgrind& operator=(const PathWithoutValgrind&) = delete;
-  PathWithoutValgrind(PathWithoutValgrind&&) = delete;
-  PathWithoutValgrind& operator=(PathWithoutValgrind&&) = delete;
 
  private:
   std::string before_ = std::getenv("PATH");

@@ -158,7 +158,7 @@ TEST_F(SelectRows, why_there_is_no_row_is_explained) {
             "every row that matches the filter 'copy/absent/' is skipped: this machine lacks it");
   EXPECT_EQ(explanation({.filter = "copy/(absent|reference)/"}), "rows");
   EXPECT_EQ(explanation({.filter = "copy/bad/"}), "rows") << "the mismatch was reported";
-  EXPECT_EQ(explanation({.filter = "("}).rfind("--filter: '(' is no regular expression", 0), 0U);
+  EXPECT_EQ(explanation({.filter = "("}).rfind("--filter: '(' is not a regular expression", 0), 0U);
   operations = {operation_of("edges_sobel")};
   EXPECT_EQ(
       explanation({"simd_16bit/.*/kernel/|/2/", VariantChoice::usual}).rfind("no usual row", 0),

@@ -31,7 +31,7 @@ def said(directory: Path, *words: str, **environment: str) -> tuple[int, str]:
     ("study --no-install --threads 1,4", 2, "expected integers in [2, 1024], got '1,4'"),
     ("study --no-install --threads two", 2, "expected integers with commas between them, got 'two'"),
     ("study --no-install --foreground dark", 2, "--foreground needs --image"),
-    ("study --no-install --filter (", 2, "--filter: '(' is no regular expression"),
+    ("study --no-install --filter (", 2, "--filter: '(' is not a regular expression"),
     ("study --no-install sweeps --only sizes", 2, "--only: invalid choice: 'sizes'"),
     ("study --no-install sweeps --seconds many", 2, "expected an integer from 1 to 999999, got 'many'"),
     ("study --no-install compare absent absent", 1, "absent/run.json: cannot be read"),

@@ -46,7 +46,7 @@ const std::vector<Rejected> kRejected = {
      "cannot write 'no_such_directory/x.json': there is no directory 'no_such_directory'"},
     {"verify --foreground dark", 2, "--foreground requires --image; see"},
     {"verify --image absent.png", 1, "cannot read 'absent.png': there is no such file"},
-    {"verify --filter (", 2, "--filter: '(' is no regular"},
+    {"verify --filter (", 2, "--filter: '(' is not a regular"},
     {"verify --threads 0", 2, "--threads: expected an integer in [1, 1024], got '0'; see"},
     {"instructions --foreground dark", 2, "--foreground requires --image; see"},
     {"instructions --image absent.png", 1, "cannot read 'absent.png': there is no such file"},

@@ -32,8 +32,6 @@ class IsaCap {
   ~IsaCap() { set_cap(old_.c_str()); }
   IsaCap(const IsaCap&) = delete;
   IsaCap& operator=(const IsaCap&) = delete;
-  IsaCap(IsaCap&&) = delete;
-  IsaCap& operator=(IsaCap&&) = delete;
 
   /// A process reads the cap once: false where an earlier test of this process has made it do so.
   [[nodiscard]] bool is_in_force() const {

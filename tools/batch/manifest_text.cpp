@@ -101,7 +101,7 @@ Cells column_names() {
 }
 
 [[noreturn]] void fail(const std::string& why) {
-  throw std::runtime_error("it is no manifest of this program: " + why);
+  throw std::runtime_error("it is not a manifest of this program: " + why);
 }
 
 std::size_t column(const Cells& names, std::string_view name) {
@@ -148,13 +148,13 @@ ManifestLine line_of_json(const std::string& line) {
   } catch (const nlohmann::json::exception&) {  // falls through, as the next
   } catch (const std::runtime_error&) {
   }
-  fail("a line is no record");
+  fail("a line is not a record");
 }
 
 ManifestText parse_json_lines(std::string_view text) {
   constexpr std::string_view kStart = R"({"file":)";
   ManifestText result;
-  if (!text.starts_with(kStart.substr(0, text.size()))) fail("its first line is no record");
+  if (!text.starts_with(kStart.substr(0, text.size()))) fail("its first line is not a record");
   std::size_t end = 0;
   while ((end = text.find('\n', result.size)) != std::string_view::npos) {
     result.lines.push_back(

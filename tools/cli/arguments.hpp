@@ -46,7 +46,7 @@ namespace thinbench {
 /// From "120,45". Throws UsageError that begins with the option's name.
 [[nodiscard]] Pixel pixel_from(const char* name, const std::string& text);
 
-/// `--spacing DY[,DX]`.
+/// `--spacing DX[,DY]`.
 void add_spacing_option(CLI::App& app, Spacing& spacing);
 
 /// A file that is no image: neither "" nor "-".

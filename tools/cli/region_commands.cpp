@@ -52,7 +52,7 @@ int run(RegionOptions options, const Console& console) {
 }
 
 std::shared_ptr<RegionOptions> add_region_options(CLI::App& app) {
-  const auto options = std::make_shared<RegionOptions>();
+  auto options = std::make_shared<RegionOptions>();
   RegionRequest& request = options->request;
   add_input(app, options->in);
   app.add_flag("--json", options->json, "Print JSON");

@@ -47,7 +47,7 @@ std::string gates_of(const Rule& rule) {
 RuleDescription description_of(const RequestedThinning& requested) {
   const auto tables = requested.rule.sub_iterations();
   if (tables.empty()) {
-    throw UsageError(requested.name + " is no function of 3 x 3 pixels and has no tables");
+    throw UsageError(requested.name + " does not depend on 3 x 3 pixels alone and has no tables");
   }
   return {requested.name,
           {tables.begin(), tables.end()},

@@ -36,10 +36,12 @@ Index foreground_of(const PackedView& image) {
 /// `apply` works in place and returns the number of iterations.
 template <class View, class Apply>
 std::string summary_of(std::string_view name, const View& image, const Apply& apply) {
-  RunSummary summary{image.width, image.height, 0, foreground_of(image), 0, 0};
-  summary.milliseconds = milliseconds_of([&] { summary.iterations = apply(image); });
-  summary.foreground_after = foreground_of(image);
-  return fmt::format("{}: {}", name, text_of(summary));
+  const Index before = foreground_of(image);
+  int iterations = 0;
+  const double milliseconds = milliseconds_of([&] { iterations = apply(image); });
+  return fmt::format("{}: {} x {}, {}, {} before, {} after, {:.3f} ms", name, image.width,
+                     image.height, counted(iterations, "iteration"),
+                     counted(before, "foreground pixel"), foreground_of(image), milliseconds);
 }
 
 int thin_in_place(const RequestedThinning& thinning, const ImageView& image) {
@@ -68,13 +70,6 @@ std::string apply_to_file(std::string_view name, const Apply& apply, FileBytes i
 }
 
 }  // namespace
-
-std::string text_of(const RunSummary& run) {
-  return fmt::format("{} x {}, {}, {} before, {} after, {:.3f} ms", run.width, run.height,
-                     counted(run.iterations, "iteration"),
-                     counted(run.foreground_before, "foreground pixel"), run.foreground_after,
-                     run.milliseconds);
-}
 
 std::string thin_image_file(const RequestedThinning& thinning, FileBytes in, const std::string& out,
                             const BinariseOptions& binarise, const Console& console) {

@@ -209,10 +209,8 @@ GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options
   } catch (const std::bad_alloc&) {
     cannot_read(name, "there is not enough memory for it");
   }
-  if (decoder_warning.empty() || result.warning.empty())
-    result.warning += decoder_warning;
-  else
-    result.warning = decoder_warning + "; " + result.warning;
+  const bool has_both = !decoder_warning.empty() && !result.warning.empty();
+  result.warning = decoder_warning + (has_both ? "; " : "") + result.warning;
   return result;
 }
 

@@ -31,7 +31,7 @@ struct Scale {
 
   explicit Scale(const Pixels& image) {
     const T* const all = image.samples_of_row<T>(0);
-    double lowest = INFINITY, highest = -INFINITY;
+    double lowest = HUGE_VAL, highest = -HUGE_VAL;
     bool fits = true;
     for (Index i = 0; i < image.samples(); ++i) {
       const auto value = static_cast<double>(all[i]);

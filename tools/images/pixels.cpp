@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -80,20 +81,27 @@ Steps steps_of(Index width, Index height, int orientation) {
   return orientation < 5 ? Steps{first, along, across} : Steps{first, across, along};
 }
 
+/// Calls `work` with `size`, which is one of these, as a constant.
+template <Index... kSizes, class Work>
+void for_size(Index size, const Work& work) {
+  static_cast<void>(
+      ((size == kSizes && (work(std::integral_constant<Index, kSizes>()), true)) || ...));
+}
+
 /// In blocks, as neighbours in one image lie far apart in the other.
-template <std::size_t kBytes>
+template <Index kBytes>
 void turn(const Pixels& from, const Pixels& to, const Steps& steps) {
   constexpr Index side = 64;
   for (Index top = 0; top < to.height; top += side) {
     for (Index left = 0; left < to.width; left += side) {
       for (Index y = top; y < std::min(top + side, to.height); ++y) {
         const std::uint8_t* source =
-            from.bytes.get() + (steps.first + y * steps.down + left * steps.right) * Index{kBytes};
-        std::uint8_t* target = to.bytes.get() + (y * to.width + left) * Index{kBytes};
+            from.bytes.get() + (steps.first + y * steps.down + left * steps.right) * kBytes;
+        std::uint8_t* target = to.bytes.get() + (y * to.width + left) * kBytes;
         for (Index x = left; x < std::min(left + side, to.width); ++x) {
           std::memcpy(target, source, kBytes);
           target += kBytes;
-          source += steps.right * Index{kBytes};
+          source += steps.right * kBytes;
         }
       }
     }
@@ -107,31 +115,8 @@ Pixels turned(Pixels image, int orientation) {
   Pixels to = make_pixels(orientation < 5 ? image.width : image.height,
                           orientation < 5 ? image.height : image.width, image.channels, image.kind);
   const Steps steps = steps_of(image.width, image.height, orientation);
-  switch (image.channels * sample_bytes(image.kind)) {
-    case 1:
-      turn<1>(image, to, steps);
-      break;
-    case 2:
-      turn<2>(image, to, steps);
-      break;
-    case 3:
-      turn<3>(image, to, steps);
-      break;
-    case 4:
-      turn<4>(image, to, steps);
-      break;
-    case 6:
-      turn<6>(image, to, steps);
-      break;
-    case 8:
-      turn<8>(image, to, steps);
-      break;
-    case 12:
-      turn<12>(image, to, steps);
-      break;
-    default:
-      turn<16>(image, to, steps);
-  }
+  for_size<1, 2, 3, 4, 6, 8, 12, 16>(image.channels * sample_bytes(image.kind),
+                                     [&](auto bytes) { turn<bytes()>(image, to, steps); });
   std::swap(image.bytes, to.bytes);
   std::swap(image.width, to.width);
   std::swap(image.height, to.height);
@@ -160,7 +145,7 @@ int exif_orientation(std::string_view exif) {
 
 namespace {
 
-template <int kChannels, class T>
+template <Index kChannels, class T>
 void look_up(const Pixels& indices, const std::vector<PaletteColour>& palette, const Pixels& to) {
   const T* const from = indices.samples_of_row<T>(0);
   std::uint8_t* target = to.bytes.get();
@@ -176,16 +161,8 @@ void look_up(const Pixels& indices, const std::vector<PaletteColour>& palette, c
 template <class T>
 void look_up(const Pixels& indices, std::vector<PaletteColour> palette, const Pixels& to) {
   palette.resize(std::size_t{std::numeric_limits<T>::max()} + 1, {0, 0, 0, 255});
-  switch (to.channels) {
-    case 1:
-      return look_up<1, T>(indices, palette, to);
-    case 2:
-      return look_up<2, T>(indices, palette, to);
-    case 3:
-      return look_up<3, T>(indices, palette, to);
-    default:
-      look_up<4, T>(indices, palette, to);
-  }
+  for_size<1, 2, 3, 4>(to.channels,
+                       [&](auto channels) { look_up<channels(), T>(indices, palette, to); });
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ struct PaletteColour {
 };
 
 /// What indices of 8 or 16 bits stand for: grey where all colours are, with opacity where one has
-/// it. An index behind the end is black.
+/// it. An index past the end is black.
 [[nodiscard]] Pixels through_palette(const Pixels& indices,
                                      const std::vector<PaletteColour>& palette);
 

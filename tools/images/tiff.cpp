@@ -123,7 +123,8 @@ void check_layout(const Layout& layout, std::size_t size) {
     throw DecodeError(fmt::format("its tiles of {} x {} pixels are larger than its {} x {} pixels",
                                   layout.block_width, layout.block_height, width, height));
   }
-  const int samples = layout.photometric == PHOTOMETRIC_YCBCR ? 1 : layout.samples;  // fewer hues
+  const int samples =
+      layout.photometric == PHOTOMETRIC_YCBCR ? 1 : layout.samples;  // subsampled chroma
   const Index bytes = bytes_of_rows(width, height, Index{layout.bits} * samples);
   check_claim(width, height, min_bytes(layout.compression, bytes, height), size);
 }
@@ -148,9 +149,10 @@ void check_samples(const Layout& layout) {
                                   layout.samples));
   }
   const bool is_grey_or_colour = layout.photometric <= PHOTOMETRIC_YCBCR;
-  if (!is_grey_or_colour)
+  if (!is_grey_or_colour) {
     throw DecodeError(
         fmt::format("its photometric interpretation {} is not supported", layout.photometric));
+  }
   const bool is_plain =
       layout.photometric == PHOTOMETRIC_MINISBLACK || layout.photometric == PHOTOMETRIC_RGB;
   const bool has_inks = layout.photometric == PHOTOMETRIC_SEPARATED;
@@ -426,11 +428,13 @@ Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, b
     return through_palette(image, palette_of(tiff, layout.bits));
   if (layout.bits > 16) return image;
   const std::uint32_t max = (1U << layout.bits) - 1;
-  if (image.kind == SampleKind::u8 && (layout.bits < 8 || is_white_first))
+  if (image.kind == SampleKind::u8 && (layout.bits < 8 || is_white_first)) {
     set_levels(image, max, is_white_first);
-  if (image.kind == SampleKind::u16 && is_white_first)
+  }
+  if (image.kind == SampleKind::u16 && is_white_first) {
     for_each_sample<std::uint16_t>(
         image, [=](std::uint16_t v) { return static_cast<std::uint16_t>(max - v); });
+  }
   if (layout.photometric != PHOTOMETRIC_SEPARATED) return image;
   return image.kind == SampleKind::u8 ? without_inks<std::uint8_t>(image)
                                       : without_inks<std::uint16_t>(image);

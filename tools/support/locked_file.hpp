@@ -14,8 +14,6 @@ class LockedFile {
   ~LockedFile();
   LockedFile(const LockedFile&) = delete;
   LockedFile& operator=(const LockedFile&) = delete;
-  LockedFile(LockedFile&&) = delete;
-  LockedFile& operator=(LockedFile&&) = delete;
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
 

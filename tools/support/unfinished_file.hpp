@@ -14,8 +14,6 @@ class UnfinishedFile {
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-  UnfinishedFile(UnfinishedFile&&) = delete;
-  UnfinishedFile& operator=(UnfinishedFile&&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The file is finished and remains.

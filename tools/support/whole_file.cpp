@@ -103,8 +103,6 @@ class TemporaryFile {
   ~TemporaryFile() { close(descriptor_); }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
-  TemporaryFile(TemporaryFile&&) = delete;
-  TemporaryFile& operator=(TemporaryFile&&) = delete;
 
   [[nodiscard]] const std::string& name() const { return file_->name(); }
   [[nodiscard]] int descriptor() const { return descriptor_; }
@@ -150,8 +148,6 @@ class Descriptor {
   ~Descriptor() { close(number_); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
 
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] off_t size() const {

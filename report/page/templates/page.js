@@ -89,7 +89,7 @@
     };
     options.plugins.tooltip.callbacks = {
       title: (items) => items[0].raw.y,
-      label: ({ raw }) => [duration(raw.x), `third process ${duration(raw.high)}`,
+      label: ({ raw }) => [duration(raw.x), `up to ${duration(raw.high)}`,
         ...(raw.speedup ? [`${raw.speedup} over plain C++`] : [])],
     };
     options.plugins.legend.labels.font = { size: 11 };
@@ -226,7 +226,7 @@
     };
     options.scales.y.ticks.callback = (value) => (/^0?\.?0*[125]0*$/.test(String(value)) ? String(value) : null);
     options.plugins.tooltip.callbacks = { title: (items) => `${items[0].dataset.label}, ${items[0].label}`,
-      label: ({ raw }) => `${raw.y} ns per pixel (third process ${raw.high})` };
+      label: ({ raw }) => `${raw.y} ns per pixel (up to ${raw.high})` };
     const datasets = curves.map(({ label, points }, index) => ({ label, borderColor: PALETTE[index % PALETTE.length],
       backgroundColor: PALETTE[index % PALETTE.length], borderWidth: 2, radius: 3.5, showLine: true,
       borderDash: index < PALETTE.length ? [] : [5, 3],
