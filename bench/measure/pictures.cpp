@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "harness/operation.hpp"
 #include "images/image_file.hpp"
 
@@ -17,7 +19,7 @@ void write_results(const std::string& stem, const TimedInput& input) {
     if (!reference->gives_image()) continue;
     std::string name = operation.name;
     std::replace(name.begin(), name.end(), ':', '_');
-    write_grey(stem + "_" + name + ".png", outcome_of(*reference, view).image.view());
+    write_grey(fmt::format("{}_{}.png", stem, name), outcome_of(*reference, view).image.view());
   }
 }
 

@@ -179,6 +179,7 @@ FoundGraph graph_of_image(const GraphCommandOptions& options, std::ostream& rema
   FoundGraph found = find_graph(image, skeleton, {options.in}, options.request);
   if (!options.out.empty()) write_grey(options.out, skeleton.view());
   take_place(place, options, found, remarks);
+  // NOLINTNEXTLINE(bugprone-use-after-move): where it draws, a copy was moved
   write_files(options, found, draws ? in_bytes(std::move(grey)).bytes : ByteImage());
   return found;
 }

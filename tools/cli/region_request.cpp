@@ -42,6 +42,7 @@ DrawnRegions find_regions_in(GreyImage grey, BinaryImage binary, const ImagePage
   if (request.draws) {
     drawn.ground = request.localises ? copy_of(grey.bytes.view()) : in_bytes(std::move(grey)).bytes;
   }
+  // NOLINTNEXTLINE(bugprone-use-after-move): where it localises, a copy was drawn on
   const AllRegions all = request.localises
                              ? by_edges(std::move(grey.bytes), std::move(binary), request)
                              : by_foreground(std::move(binary), request);
