@@ -1,6 +1,7 @@
 // thinbench_benchmarks: verifies rows and measures them with Google Benchmark. `./study` starts it;
 // see docs/measuring.md.
 #include <algorithm>
+#include <climits>
 #include <deque>
 #include <fstream>
 #include <iostream>
@@ -10,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
@@ -233,7 +235,15 @@ Examples:
 Exit status: 0 done, 1 a row failed, 2 wrong usage or a row that differs from its reference.)");
 }
 
+/// Else large blocks that references and peers allocate would come from the system at each call or
+/// at none, as what else the process did decides, and new pages take longer than many calls.
+void keep_freed_memory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+}
+
 int run(std::vector<std::string> words) {
+  keep_freed_memory();
   BenchmarkOptions options;
   options.for_people = value_of(words, "--benchmark_format").value_or("console") == "console";
   const std::string filter = value_of(words, "--benchmark_filter").value_or("");
