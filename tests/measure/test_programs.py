@@ -112,6 +112,11 @@ def test_a_wrong_result_is_an_error_and_other_rows_are_measured(facts: Path, tmp
         assert {line["row"] for line in csv.DictReader(stream)} == {REFERENCE}
 
 
+def test_results_that_an_earlier_process_compared_are_not_compared_again(facts: Path, tmp_path: Path) -> None:
+    wrong = changed(facts, tmp_path, hash="0123456789abcdef")
+    assert len(measured(tmp_path, "--known", wrong, "--checked")) == len(measured(tmp_path, "--known", facts))
+
+
 @pytest.mark.parametrize("text", ["{}", '{"rows": {'])
 def test_facts_that_are_none_are_named(tmp_path: Path, text: str) -> None:
     path = tmp_path / "facts.json"
@@ -131,6 +136,7 @@ def test_slow_rows_are_skipped_with_the_reason(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("words", "message"), [
     (("--filter", "no_such_row"), "no row matches the filter 'no_such_row'"),
     (("--facts", "a", "--known", "b"), "--facts"),
+    (("--checked",), "--checked requires --known"),
     (("--bogus",), "there is no option '--bogus'")])
 def test_wrong_usage_is_status_2_and_a_line(words: tuple[str, ...], message: str) -> None:
     done = benchmarks(*words)
