@@ -11,7 +11,9 @@
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
+#if __has_include(<malloc.h>)
 #include <malloc.h>
+#endif
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
@@ -238,8 +240,10 @@ Exit status: 0 done, 1 a row failed, 2 wrong usage or a row that differs from it
 /// Else large blocks that references and peers allocate would come from the system at each call or
 /// at none, as what else the process did decides, and new pages take longer than many calls.
 void keep_freed_memory() {
+#ifdef M_MMAP_MAX
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
 }
 
 int run(std::vector<std::string> words) {

@@ -23,8 +23,9 @@ CIRCUIT = ("simd_bitpacked", "simd_bitpacked_row")
 SCALAR_BYTES, SCALAR_BITS = ("lut", "lut_sliding"), ("bitpacked",)
 BYTES = (*SCALAR_BYTES, "autovec", "simd_bytes")
 BITS = (*SCALAR_BITS, "simd_bitpacked", "simd_bitpacked_row", "simd_bitpacked_tiles")
-NO_COST = 1.05
-"""A net that takes at most so many times the rule's time costs nothing."""
+EQUAL = 1.05
+"""Of two times, one of which is at most so many times the other: nets and rules that are compiled to the same circuit
+differ by how their code lies in memory."""
 
 
 def time_ratio(above: Row | None, below: Row | None) -> Estimate | None:
@@ -63,8 +64,8 @@ def nets_do_not_pay(rows: Rows) -> Claim:
     compiled = time_ratio(_fastest(rows, NETS, CIRCUIT), rule)
     if not (honest and compiled):
         return open_claim(claim, COMMAND)
-    slower, free = honest.low > 1, compiled.value <= NO_COST
-    verdict = Verdict.of([honest.high >= 1, compiled.high >= 1])
+    slower, free = honest.low > 1, compiled.value <= EQUAL
+    verdict = Verdict.of([EQUAL * honest.high >= 1, EQUAL * compiled.high >= 1])
     figure = (f"time of the fastest net over that of the fastest rule: {_text(honest)} with its "
               f"arithmetic, {_text(compiled)} compiled to a circuit")
     return Claim(claim, verdict, figure, _why_nets(slower, free), COMMAND)
@@ -124,6 +125,6 @@ def _fastest(rows: Rows, cases: Iterable[str], techniques: Iterable[str]) -> Row
 
 def _pairs_in_order(rows: list[tuple[PaperRow, Row]]) -> list[bool]:
     """For each pair of methods whether the faster one of the paper is the faster one here, by more
-    than their intervals."""
+    than their intervals and than what counts as equal."""
     in_order = sorted(rows, key=lambda one: one[0].seconds)
-    return [fast.high_ns < slow.time_ns for (_, fast), (_, slow) in combinations(in_order, 2)]
+    return [EQUAL * fast.high_ns < slow.time_ns for (_, fast), (_, slow) in combinations(in_order, 2)]

@@ -1,5 +1,5 @@
 """`fake_study.py BUILDS COMMAND...`: the commands of ./study on programs that exist already, in a
-directory for each preset, of one commit, whoever edits meanwhile."""
+directory for each preset, of one commit, even if the tree changes meanwhile."""
 
 import sys
 from pathlib import Path
