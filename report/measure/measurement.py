@@ -109,8 +109,13 @@ class Measurement:
         for number in random.sample(range(len(self.parts)), len(self.parts)):
             if len(self.parts[number].tables) == rounds:
                 self._process(number, benchmarks)
-                progress.set(time.monotonic() - progress.start)
+                spent = time.monotonic() - progress.start
+                progress.set(spent, max(seconds, spent + self._needed_seconds()))
         return True
+
+    def _needed_seconds(self) -> float:
+        """What the processes take that must still run, by each part's last one."""
+        return sum(part.seconds * max(NEEDED_PROCESSES - len(part.tables), 0) for part in self.parts)
 
     def _process(self, number: int, benchmarks: Benchmarks) -> None:
         part = self.parts[number]

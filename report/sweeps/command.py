@@ -61,7 +61,7 @@ def run_sweeps(_parser: argparse.ArgumentParser, options: argparse.Namespace) ->
 
 def _part(benchmarks: Benchmarks, name: str, quick: bool, cores: int) -> Part:
     return Part(benchmarks.verify(plan_words(BY_NAME[name], quick, cores)), name,
-                ["--seconds-per-row", "0.002" if quick else "0.02"])
+                ["--seconds-per-row", "0.002" if quick else "0.005"])
 
 
 def _summary(run: Run) -> str:
