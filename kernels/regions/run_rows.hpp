@@ -48,8 +48,9 @@ struct RunRow {
   return word[0] ^ (word[0] << 1 | word[-1] >> 63);
 }
 
+template <Index padding = kKeyPadding>
 [[gnu::always_inline]] inline void end_keys(Key* keys, Index count) {
-  for (Index i = 0; i < kKeyPadding; ++i) keys[count + i] = kLastKey;
+  for (Index i = 0; i < padding; ++i) keys[count + i] = kLastKey;
 }
 
 /// Writes the keys of a word's boundaries and returns their number; `before` is the number of keys
@@ -65,14 +66,18 @@ struct RunRow {
 }
 
 /// Writes the keys of a row and returns their number.
+template <Index padding = kKeyPadding>
 [[gnu::always_inline]] inline Index find_keys(const std::uint64_t* row, Index words, Key* keys) {
   Index count = 0;
   for (Index word = 0; word < words; ++word) {
     count += find_keys_of_word(boundaries(row + word), word, count, keys + count);
   }
-  end_keys(keys, count);
+  end_keys<padding>(keys, count);
   return count;
 }
+
+/// As many label_runs() reads after the keys of a row.
+inline constexpr Index kReadPadding = 2;
 
 /// Labels runs [first, last] of row y, given the labelled row above, whose runs before
 /// `first_above` touch none of them. `labels[first - 1]` must be set, as the enclosing object of a
@@ -156,7 +161,7 @@ template <bool with_background>
   RunRow here = labelling.here;
   Index y = first;
   for (; y < last && has_room(labelling.tables, image.width); ++y) {
-    here.count = find_keys(image.row(y), words, here.keys);
+    here.count = find_keys<kReadPadding>(image.row(y), words, here.keys);
     label_runs<with_background>(labelling.tables, above, 0, here.keys, here.labels, 0, here.count,
                                 y);
     add_runs(labelling.tables, here, y);
