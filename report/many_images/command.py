@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import logging
+import os
 import signal
 import sys
 import tempfile
@@ -92,6 +93,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
                 local_directory=work) as cluster, Client(cluster) as client:  # type: ignore[no-untyped-call]
             logging.getLogger("asyncio").setLevel(logging.CRITICAL)  # of tasks at an interrupt
             client.run(_ignore_interrupts)
+            os.environ.pop("MALLOC_TRIM_THRESHOLD_", None)  # meant for workers; slows what is started here
             steps = _steps(program, Path(work), sizes, client, cores)
             samples = measure(steps, sizes.rounds)
     results = results_of(steps, samples, machine)
