@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -26,7 +29,16 @@ BASE = Key("images", "one")
 @pytest.fixture(scope="module", name="measured")
 def _measured(tmp_path_factory):
     directory = tmp_path_factory.mktemp("many") / "out"
-    return directory, measure_many_images(PROGRAMS / "thinbench", MACHINE, SIZES, directory)
+    run = subprocess.run
+
+    def checked(command, **options):
+        assert "MALLOC_TRIM_THRESHOLD_" not in os.environ  # dask's, for its workers
+        if "--out" in command and "--shard" not in command:
+            assert not list(Path(command[command.index("--out") + 1]).iterdir())
+        return run(command, **options)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(subprocess, "run", checked)
+        return directory, measure_many_images(PROGRAMS / "thinbench", MACHINE, SIZES, directory)
 
 
 def test_csv_has_every_step_with_its_machine(measured):
