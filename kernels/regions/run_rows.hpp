@@ -24,6 +24,7 @@ inline constexpr Key kFirstKey = 0;
 inline constexpr Key kLastKey = INT32_MAX;
 
 /// This many kLastKey follow the keys of a row, and as many elements after them may be overwritten.
+/// Kernels that only call label_runs() write kReadPadding of them.
 inline constexpr Index kKeyPadding = 16;
 
 struct RunRow {
