@@ -84,7 +84,10 @@ class Measurement:
                 file = one._file(number, process)
                 if not file.exists():
                     break
-                part.tables.append(pd.read_csv(file))
+                try:
+                    part.tables.append(pd.read_csv(file))
+                except ValueError:
+                    raise ReportError(f"{file}: is no table; delete '{path.parent}', or choose another --out") from None
         return one
 
     def run(self, benchmarks: Benchmarks, seconds: float) -> bool:

@@ -1,7 +1,7 @@
 """Comparison of two builds: processes of both alternate, and their times are compared.
 
 Each process measures one group, in about 0.1 s. Processes of both builds follow each other in pairs, so that both meet
-the same states of the machine. docs/regression.md has the figures that these choices rest on.
+the same states of the machine. docs/experiments.md has the figures that these choices rest on.
 """
 
 from __future__ import annotations

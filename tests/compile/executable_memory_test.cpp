@@ -25,14 +25,15 @@
 namespace thinbench::detail {
 namespace {
 
-/// From now on this process cannot make memory executable.
-bool deny_executable_memory() {
-  constexpr unsigned kProtection = offsetof(seccomp_data, args[2]);
+/// From now on this process cannot ask for memory with all of `protection`.
+bool deny_memory(unsigned protection) {
   sock_filter instructions[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_mprotect, 0, 3),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kProtection),
-      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 0, 1),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_mmap, 1, 0),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_mprotect, 0, 4),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[2])),
+      BPF_STMT(BPF_ALU | BPF_AND | BPF_K, protection),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, protection, 0, 1),
       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EACCES),
       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
   };
@@ -65,7 +66,7 @@ bool rules_are_right(int limit) {
 
 [[noreturn]] void apply_without_executable_memory(bool after_use) {
   if (after_use && !MachineCode::is_available(Isa::avx2)) std::exit(kNotDenied);
-  if (!deny_executable_memory()) std::exit(kNotDenied);
+  if (!deny_memory(PROT_EXEC)) std::exit(kNotDenied);
   std::exit(rules_are_right(5) ? kRight : kWrong);
 }
 
@@ -92,17 +93,28 @@ std::size_t executable_bytes() {
   return bytes;
 }
 
+bool makes_code() {
+  const GateNetwork identity = {.gates = {}, .output = WindowTable::kCentre};
+  return MachineCode::make(identity, Isa::avx2, Layout::words, false) != nullptr;
+}
+
 TEST(MachineCode, gives_its_memory_back) {
   if (!MachineCode::is_available(Isa::avx2)) GTEST_SKIP() << "no machine code here";
-  const GateNetwork identity = {.gates = {}, .output = WindowTable::kCentre};
-  const auto make = [&] {
-    return MachineCode::make(identity, Isa::avx2, Layout::words, false) != nullptr;
-  };
-  ASSERT_TRUE(make());
+  ASSERT_TRUE(makes_code());
   const std::size_t before = executable_bytes();
   ASSERT_GT(before, 0U);
-  for (int i = 0; i < 100; ++i) ASSERT_TRUE(make());
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(makes_code());
   EXPECT_EQ(executable_bytes(), before);
+}
+
+TEST(MachineCode, needs_no_memory_that_is_writable_and_executable) {
+  if (!MachineCode::is_available(Isa::avx2)) GTEST_SKIP() << "no machine code here";
+  const int status = status_of([] {
+    if (!deny_memory(PROT_WRITE | PROT_EXEC)) std::exit(kNotDenied);
+    std::exit(makes_code() ? kRight : kWrong);
+  });
+  if (status == kNotDenied) GTEST_SKIP() << "this system does not let a process deny it";
+  EXPECT_EQ(status, kRight);
 }
 
 TEST(MachineCode, interpreter_runs_rules_where_memory_cannot_be_executable) {

@@ -236,6 +236,10 @@ def test_an_interrupted_measurement_goes_on_where_it_was(benchmarks: Benchmarks,
         assert np.allclose(old.samples["ns"], new.samples["ns"])
     assert again.run(benchmarks, 0)
     assert [len(part.tables) for part in again.parts] == [NEEDED_PROCESSES] * 2
+    table = next((tmp_path / UNFINISHED).glob("*.csv"))
+    table.write_bytes(table.read_bytes()[:40] + b"\xff\0")
+    with pytest.raises(ReportError, match=f"{table.name}: is no table; delete"):
+        Measurement.resume(tmp_path, key)
 
 
 def test_nothing_to_continue_is_said(tmp_path: Path) -> None:

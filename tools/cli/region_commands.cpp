@@ -99,7 +99,8 @@ Command add_localise_command(CLI::App& program) {
   thinbench localise parts.jpg --min-area 20 --csv parts.csv --overlay found.svg
 
 Finds edges by Sobel's operator, as 'thinbench edges' does, joins those of one outline, and lists what
-they enclose, as 'thinbench holes' does. Areas include the width of the edges; centres do not move.)");
+they enclose, as 'thinbench holes' does. Areas include the width of the edges; centres move by at most
+half a pixel.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 
