@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
-#include "support/isa_parameters.hpp"
+#include "support/isa_tests.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/distance.hpp"

@@ -7,7 +7,6 @@
 
 #include "harness/test_images.hpp"
 #include "support/made_image.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/localise.hpp"
 
 namespace thinbench {

@@ -11,10 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "rules/trained_cluster.hpp"
-#include "support/filled_image.hpp"
-#include "support/isa_parameters.hpp"
+#include "support/isa_tests.hpp"
+#include "support/made_image.hpp"
 #include "support/rejection.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/binarise.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/isa_cap.hpp"
-#include "support/isa_parameters.hpp"
+#include "support/isa_tests.hpp"
 
 namespace thinbench {
 namespace {

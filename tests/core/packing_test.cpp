@@ -6,8 +6,8 @@
 #include "core/planes.hpp"
 #include "harness/test_images.hpp"
 #include "simd/word.hpp"
-#include "support/filled_image.hpp"
-#include "support/isa_parameters.hpp"
+#include "support/isa_tests.hpp"
+#include "support/made_image.hpp"
 #include "support/margins.hpp"
 #include "techniques/byte_planes.hpp"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "reference.hpp"
-#include "support/text_image.hpp"
+#include "support/made_image.hpp"
 #include "support/variant_of.hpp"
 
 namespace thinbench {

@@ -1,6 +1,16 @@
+// Which parts of an image are visited again, and the engine on tiles.
 #include "engines/iterate.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+
+#include "core/packing.hpp"
+#include "engines/iterate_tiles.hpp"
+#include "harness/test_images.hpp"
+#include "support/made_image.hpp"
+#include "support/reference_thinning.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -54,6 +64,68 @@ TEST(BandActivity, lookback_of_two_keeps_cells_active_for_two_sub_iterations) {
   EXPECT_EQ(visit(activity, 2, kNothing), (Visits{{0, 0b11}, {1, 0b11}}));
   EXPECT_EQ(visit(activity, 2, kNothing), (Visits{{0, 0b11}, {1, 0b11}}));
   EXPECT_TRUE(visit(activity, 2, kNothing).empty());
+}
+
+/// Thins by tiles; returns the number of iterations.
+int thin_by_tiles(BuiltInRule rule, const ByteImage& image, ByteImage& skeleton, int threads = 1,
+                  Border border = Border::background) {
+  return thin_by("simd_bitpacked_tiles", rule, image.view(), skeleton.view(), {.border = border},
+                 {.threads = threads});
+}
+
+/// A grid of squares of different sizes, so that tiles stop changing at different times.
+ByteImage squares(Index width, Index height, Index side) {
+  return image_by(width, height, [=](Index x, Index y) {
+    const Index size = 2 + (x / side + 3 * (y / side)) % (side - 2);
+    return x % side < size && y % side < size ? 255 : 0;
+  });
+}
+
+/// Compares tiles with the reference for rules on 3 x 3 pixels, of two and of four sub-iterations,
+/// and one on 5 x 5 pixels.
+void expect_equal_to_reference(const ByteImage& image, int threads) {
+  ByteImage by_tiles(image.width(), image.height());
+  for (const BuiltInRule rule : {Rule::guo_hall, Rule::spta_directional, Rule::mb2}) {
+    for (const Border border : {Border::background, Border::keep}) {
+      const Thinned expected = thinned_by_reference(rule, image, {border});
+      EXPECT_EQ(thin_by_tiles(rule, image, by_tiles, threads, border), expected.iterations);
+      EXPECT_TRUE(equal(by_tiles.view(), expected.image.view()))
+          << rule_name(rule) << ", border " << border_name(border) << ", threads " << threads;
+    }
+  }
+}
+
+TEST(IterateTiles, equals_the_reference) {
+  // Tiles are written during the scan.
+  for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
+  // A chunk ends at a gap within a row: rows of 125 tiles, more than 1,024 in ten of them.
+  ByteImage image = squares(4000, 300, 24);
+  for (Index y = 0; y < image.height(); ++y)
+    std::fill_n(image.view().row(y) + 1900, 400, std::uint8_t{0});
+  expect_equal_to_reference(image, 1);
+  // A row of tiles is longer than a word, and longer than a chunk.
+  expect_equal_to_reference(squares(4500, 300, 64), 1);
+  expect_equal_to_reference(squares(40000, 70, 26), 1);
+}
+
+TEST(IterateTiles, equals_the_reference_on_several_threads) {
+  // More than 7 x 256 tiles are enough for 7 threads; with fewer one works alone.
+  for (const int threads : {2, 7}) expect_equal_to_reference(squares(2000, 2400, 24), threads);
+  expect_equal_to_reference(noise_image(64, 16000, 88, 1, 3), 7);
+}
+
+TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
+  const Index width = 4100;  // the last word of a row is partial
+  const Index height = 2113;
+  const ByteImage image = squares(width, height, 24);
+  ASSERT_GE(width * height, kNonTemporalBytes);
+  ByteImage by_words(width, height);
+  thin_by("simd_bitpacked", Rule::zhang_suen, image.view(), by_words.view());
+  for (const int threads : {1, 3}) {
+    ByteImage in_place = copy_of(image.view());
+    thin_by_tiles(Rule::zhang_suen, in_place, in_place, threads);
+    EXPECT_TRUE(equal(in_place.view(), by_words.view())) << threads << " threads";
+  }
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "engines/plane_state.hpp"
 #include "harness/test_images.hpp"
-#include "support/filled_image.hpp"
+#include "support/made_image.hpp"
 #include "support/margins.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"

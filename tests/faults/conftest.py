@@ -8,6 +8,7 @@ import os
 import random
 import re
 import resource
+import shlex
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -115,6 +116,13 @@ def files_in(directory: Path) -> Files:
     """All files below a directory, hidden ones included, by name; directories end with a slash."""
     return {str(path.relative_to(directory)) + "/" * path.is_dir():
             b"" if path.is_dir() else path.read_bytes() for path in directory.rglob("*")}
+
+
+def expect_rejected(command: str, directory: Path, says: str) -> None:
+    """The program ends with one line that has this pattern and leaves nothing new."""
+    before = files_in(directory)
+    run(["thinbench", *shlex.split(command)], directory).assert_failed(says)
+    assert files_in(directory) == before
 
 
 def parts(width: int = 300, height: int = 200) -> Image.Image:

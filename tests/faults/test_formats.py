@@ -7,27 +7,23 @@ import json
 import struct
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import pytest
-from conftest import run
+from conftest import SEED, expect_rejected, run
 from PIL import Image
 
+Samples = npt.NDArray[Any]
 WHOLE = "--threshold 1 --foreground bright --min-area 2147483647 --overlay shown.png".split()
 
 
-def shown(path: Path, *options: str) -> list[list[int]]:
+def shown(path: Path) -> Samples:
     """The grey levels of an image, in 8 bits."""
-    result = run(["thinbench", "holes", path.name, *WHOLE, *options], path.parent)
-    assert result.status == 0, result
-    levels: list[list[int]] = np.asarray(Image.open(path.parent / "shown.png"))[..., 0].tolist()
-    return levels
-
-
-def rejected(path: Path, says: str, *options: str) -> None:
-    """With one line."""
-    run(["thinbench", "holes", path.name, *options], path.parent).assert_failed(says)
+    result = run(["thinbench", "holes", path.name, *WHOLE], path.parent)
+    assert result.status == 0, (SEED, path, result)
+    return np.asarray(Image.open(path.parent / "shown.png"))[..., 0]
 
 
 def facts(path: Path, *options: str) -> dict[str, object]:
@@ -118,7 +114,7 @@ TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
 @pytest.mark.parametrize("compression", [33003, 34712, 34892, 50013, 65000])
 def test_unknown_compression_is_named(compression: int, tmp_path: Path) -> None:
     (tmp_path / "a.tif").write_bytes(tiff(2, 2, [bytes(4)], {259: (SHORT, [compression])}))
-    rejected(tmp_path / "a.tif", f"its compression {compression}.* is not supported")
+    expect_rejected("holes a.tif", tmp_path, f"its compression {compression}.* is not supported")
 
 
 @pytest.mark.parametrize("compression", ["group3", "group4", "tiff_lzw", "tiff_adobe_deflate", "packbits"])
@@ -205,7 +201,7 @@ def test_edges_of_16_bits_are_those_of_their_upper_8(tmp_path: Path) -> None:
 
 def test_threshold_beyond_the_levels_of_8_bits(tmp_path: Path) -> None:
     Image.fromarray(two_parts(0, 200, 255).astype(np.uint8)).save(tmp_path / "a.png")
-    rejected(tmp_path / "a.png", "--threshold: expected up to 255", "--threshold", "256")
+    expect_rejected("holes a.png --threshold 256", tmp_path, "--threshold: expected up to 255")
 
 
 def test_many_labels_take_32_bits(tmp_path: Path) -> None:
@@ -268,14 +264,14 @@ BMPS: dict[str, tuple[bytes, list[list[int]]]] = {
     ids=[*TIFFS, *BMPS])
 def test_files_mean_these_levels(name: str, data: bytes, levels: list[list[int]], tmp_path: Path) -> None:
     (tmp_path / name).write_bytes(data)
-    assert shown(tmp_path / name) == levels
+    assert shown(tmp_path / name).tolist() == levels
 
 
 def test_bmp_that_is_not_read_says_why(tmp_path: Path) -> None:
     (tmp_path / "a.bmp").write_bytes(bmp(0, 4, b"", b"\xff\xd8", 1, 1))
-    rejected(tmp_path / "a.bmp", "holds a JPEG or PNG file")
+    expect_rejected("holes a.bmp", tmp_path, "holds a JPEG or PNG file")
     (tmp_path / "a.bmp").write_bytes(bmp(8, 1, b"", b"\6\1", 6, 4, colours=GREYS))
-    rejected(tmp_path / "a.bmp", "truncated")
+    expect_rejected("holes a.bmp", tmp_path, "truncated")
 
 
 # Palettes and transparency.
@@ -317,7 +313,7 @@ def test_drawing_in_the_opacity_alone(name: str, tmp_path: Path) -> None:
 
 def test_opacity_that_is_not_there(tmp_path: Path) -> None:
     Image.new("L", (3, 3)).save(tmp_path / "a.png")
-    rejected(tmp_path / "a.png", "--channel alpha: it has no transparency", "--channel", "alpha")
+    expect_rejected("holes a.png --channel alpha", tmp_path, "--channel alpha: it has no transparency")
 
 
 # Pixels that are all alike.

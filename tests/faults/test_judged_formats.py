@@ -10,21 +10,18 @@ import subprocess
 import zlib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import pytest
 from conftest import SEED, run
 from PIL import Image
-from test_formats import GREY, LONG, RGB, of, tiff
+from test_formats import GREY, LONG, RGB, Samples, of, shown, tiff
 
 tifffile = pytest.importorskip("tifffile")
 cv2 = pytest.importorskip("cv2")
 pytestmark = pytest.mark.skipif(shutil.which("convert") is None, reason="imagemagick is not installed")
 
-Samples = npt.NDArray[Any]
-SHOWN = "--threshold 1 --foreground bright --min-area 2147483647 --overlay".split()
 
 
 # What samples mean.
@@ -56,16 +53,14 @@ def judged_jpeg(path: Path) -> Samples:
 def assert_read(path: Path, expected: Samples, rounding: int = 1) -> None:
     """The program shows these levels, divided where they do not fit into 8 bits; numbers that are not whole may be
     rounded in several steps."""
-    result = run(["thinbench", "holes", path.name, *SHOWN, "shown.png"], path.parent)
-    assert result.status == 0, (SEED, path, result)
-    shown = np.asarray(Image.open(path.parent / "shown.png"))[..., 0].astype(float)
-    assert shown.shape == expected.shape, (SEED, path)
+    found = shown(path).astype(float)
+    assert found.shape == expected.shape, (SEED, path)
     divisor = 2.0 ** max(0, int(expected.max()).bit_length() - 8)
     exact = np.issubdtype(expected.dtype, np.integer)
     rounding = 0 if exact else rounding + (divisor > 1)
     least, most = np.floor((expected - rounding) / divisor), np.floor((expected + rounding) / divisor)
-    wrong = (shown < least) | (shown > most)
-    assert not wrong.any(), (SEED, path, np.argwhere(wrong)[:3].tolist(), shown[wrong][:3], expected[wrong][:3])
+    wrong = (found < least) | (found > most)
+    assert not wrong.any(), (SEED, path, np.argwhere(wrong)[:3].tolist(), found[wrong][:3], expected[wrong][:3])
 
 
 # Drawn images and files.

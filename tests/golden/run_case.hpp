@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "harness/families.hpp"
-#include "support/filled_image.hpp"
 #include "support/fnv1a.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
 #include "techniques/variants.hpp"
 #include "thinbench/edges.hpp"

@@ -15,7 +15,6 @@
 #include "graph.hpp"
 #include "graph/main_paths.hpp"
 #include "support/made_image.hpp"
-#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {

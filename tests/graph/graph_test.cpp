@@ -12,7 +12,6 @@
 
 #include "graph.hpp"
 #include "support/made_image.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"

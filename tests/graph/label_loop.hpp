@@ -4,7 +4,6 @@
 #include <set>
 
 #include "graph.hpp"
-#include "support/label_image.hpp"
 #include "support/made_image.hpp"
 #include "thinbench/graph_labels.hpp"
 

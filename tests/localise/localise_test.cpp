@@ -10,8 +10,8 @@
 #include "harness/test_images.hpp"
 #include "localise/state.hpp"
 #include "scene/scene.hpp"
+#include "support/made_image.hpp"
 #include "support/margins.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/localise.hpp"
 
 namespace thinbench {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "holes.hpp"
-#include "support/filled_image.hpp"
 #include "support/made_image.hpp"
 #include "support/property_images.hpp"
 #include "thinbench/midpoint_scan.hpp"

@@ -9,8 +9,7 @@
 #include "midpoints/counter.hpp"
 #include "midpoints/work.hpp"
 #include "reference.hpp"
-#include "support/filled_image.hpp"
-#include "support/text_image.hpp"
+#include "support/made_image.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/midpoint_scan.hpp"
 

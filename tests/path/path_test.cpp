@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/text_image.hpp"
+#include "support/made_image.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/thinning.hpp"
 

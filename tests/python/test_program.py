@@ -27,8 +27,8 @@ def picture(tmp_path):
     return path, image
 
 
-def made(*words: object) -> subprocess.CompletedProcess[bytes]:
-    done = run(*words, "--foreground", "bright")
+def made(*words: object, data: bytes | None = None) -> subprocess.CompletedProcess[bytes]:
+    done = run(*words, "--foreground", "bright", data=data)
     assert done.returncode == 0, done.stderr
     return done
 
@@ -145,8 +145,7 @@ def test_overlays_are_images_or_svg_by_their_names(rings, tmp_path, command):
                          + [["graph", "-", "--out", "-"]])
 def test_an_overlay_on_standard_output_is_png_and_the_list_moves(rings, tmp_path, words):
     path, _ = rings
-    piped = run(*words, "--foreground", "bright", data=path.read_bytes())
-    assert piped.returncode == 0, piped.stderr
+    piped = made(*words, data=path.read_bytes())
     option = words[-2]
     listed = made(*[path if word == "-" else word for word in words[:-2]], option, tmp_path / "a.png").stdout
     assert piped.stdout == (tmp_path / "a.png").read_bytes() and listed in piped.stderr
@@ -172,16 +171,13 @@ def test_packed_files_read_and_write_the_standard_streams(picture, tmp_path):
 def test_a_pipe_reads_standard_input_and_writes_png(picture, tmp_path, words):
     path, _ = picture
     made(*words, path, tmp_path / "out.png")
-    piped = run(*words, "-", "-", "--foreground", "bright", data=path.read_bytes())
-    assert piped.returncode == 0, piped.stderr
-    assert piped.stdout == (tmp_path / "out.png").read_bytes()
+    assert made(*words, "-", "-", data=path.read_bytes()).stdout == (tmp_path / "out.png").read_bytes()
 
 
 @pytest.mark.parametrize("words", [["holes"], ["localise"], ["euler"], ["graph"]])
 def test_lists_read_standard_input(picture, words):
     path, _ = picture
-    piped = run(*words, "-", "--foreground", "bright", data=path.read_bytes())
-    assert piped.returncode == 0 and piped.stdout == made(*words, path).stdout
+    assert made(*words, "-", data=path.read_bytes()).stdout == made(*words, path).stdout
 
 
 def test_a_full_standard_output_is_an_error(picture):
@@ -190,17 +186,19 @@ def test_a_full_standard_output_is_an_error(picture):
     assert failed.returncode == 1 and b"standard output cannot be written" in failed.stderr
 
 
-def transparent_picture(kind):
-    """Of a square, and what Pillow needs to save it with transparent pixels."""
+def square():
     grey = np.zeros((20, 30), np.uint8)
     grey[5:10, 5:10] = 255
-    image = pil.fromarray(grey)
+    return pil.fromarray(grey)
+
+
+def transparent_picture(kind):
+    """Of a square, and what Pillow needs to save it with transparent pixels."""
+    image = square().convert(kind)
     if kind in ("LA", "RGBA"):
-        image = image.convert(kind)
-        image.putalpha(pil.fromarray(grey))
+        image.putalpha(square())
         return image, {}
-    key = {"1": 0, "L": 0, "P": b"\0\xff", "RGB": (0, 0, 0)}[kind]
-    return image.convert(kind), {"transparency": key}
+    return image, {"transparency": {"1": 0, "L": 0, "P": b"\0\xff", "RGB": (0, 0, 0)}[kind]}
 
 
 @pytest.mark.parametrize("kind", ["LA", "RGBA", "1", "L", "P", "RGB"])
@@ -218,9 +216,7 @@ def test_a_transparent_image_brings_a_warning(tmp_path, kind):
 @pytest.mark.parametrize("kind, how", [("RGBA", {}), ("L", {"transparency": 7}), ("RGB", {"transparency": (1, 2, 3)}),
                                        ("P", {"transparency": b"\xff\xff"})])
 def test_an_opaque_image_brings_none(tmp_path, kind, how):
-    grey = np.zeros((20, 30), np.uint8)
-    grey[5:10, 5:10] = 255
-    pil.fromarray(grey).convert(kind).save(tmp_path / "a.png", **how)
+    square().convert(kind).save(tmp_path / "a.png", **how)
     assert b"transparent" not in run("holes", tmp_path / "a.png").stderr
 
 

@@ -6,7 +6,6 @@
 
 #include "holes.hpp"
 #include "support/made_image.hpp"
-#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {

@@ -39,16 +39,24 @@ def test_nothing_but_regular_files_is_replaced_or_read(tmp_path: Path) -> None:
     assert pipe.is_fifo() and os.listdir(tmp_path) == ["a.json"]
 
 
-def test_replaced_files_keep_their_mode_and_their_other_names(tmp_path: Path) -> None:
+@pytest.fixture(name="old")
+def _old(tmp_path: Path) -> Path:
+    """A file of two names."""
     path = tmp_path / "a.json"
+    path.write_bytes(b"old")
+    (tmp_path / "b.json").hardlink_to(path)
+    return path
+
+
+def test_replaced_files_keep_their_mode_and_their_other_names(tmp_path: Path, old: Path) -> None:
+    path = tmp_path / "alone.json"
     path.write_bytes(b"old")
     path.chmod(0o600)
     write_file(path, b"new")
     assert path.stat().st_mode & 0o777 == 0o600
-    other = tmp_path / "b.json"
-    other.hardlink_to(path)
-    write_file(path, b"newer")
-    assert other.read_bytes() == b"newer" and other.samefile(path)
+    write_file(old, b"newer")
+    other = old.with_name("b.json")
+    assert other.read_bytes() == b"newer" and other.samefile(old)
 
 
 def write_on_full_disk(path: Path, data: bytes, most: int, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -65,28 +73,21 @@ def write_on_full_disk(path: Path, data: bytes, most: int, monkeypatch: pytest.M
     write_file(path, data)
 
 
-def test_full_disk_keeps_an_old_file_of_two_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "a.json"
-    path.write_bytes(b"old")
-    (tmp_path / "b.json").hardlink_to(path)
+def test_full_disk_keeps_an_old_file_of_two_names(old: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(ReportError, match="a.json: cannot be written: File too large$"):
-        write_on_full_disk(path, bytes(100_000), 20_000, monkeypatch)
-    assert path.read_bytes() == b"old" and sorted(os.listdir(tmp_path)) == ["a.json", "b.json"]
+        write_on_full_disk(old, bytes(100_000), 20_000, monkeypatch)
+    assert old.read_bytes() == b"old" and sorted(os.listdir(old.parent)) == ["a.json", "b.json"]
 
 
 def test_interrupt_while_a_file_of_two_names_is_overwritten_leaves_the_whole(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "a.json"
-    path.write_bytes(b"old")
-    (tmp_path / "b.json").hardlink_to(path)
-
+        old: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupt(*_: object) -> int:
         raise KeyboardInterrupt
     monkeypatch.setattr(os, "sendfile", interrupt)
     with pytest.raises(KeyboardInterrupt):
-        write_file(path, b"new")
-    assert (tmp_path / "a.json.whole").read_bytes() == b"new"
-    assert sorted(os.listdir(tmp_path)) == ["a.json", "a.json.whole", "b.json"]
+        write_file(old, b"new")
+    assert old.with_name("a.json.whole").read_bytes() == b"new"
+    assert sorted(os.listdir(old.parent)) == ["a.json", "a.json.whole", "b.json"]
 
 
 def test_unwritable_tree_is_named_before_the_build_can_be_blamed(tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 
 #include "rules/rule_table.hpp"
 #include "support/made_image.hpp"
-#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {

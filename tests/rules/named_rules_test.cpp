@@ -9,8 +9,8 @@
 #include "harness/test_images.hpp"
 #include "rules/recorded_tables.hpp"
 #include "support/five_by_five.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/text_image.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harness/families.hpp"
-#include "support/filled_image.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench {
 

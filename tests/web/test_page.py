@@ -74,6 +74,12 @@ class Page(browser.Page):
                 """, name, str(value))
         self.settle()
 
+    def show(self, path: Path, **settings: object) -> None:
+        """Opens the page with a picture and these settings."""
+        self.open()
+        self.choose(path)
+        self.set(**settings)
+
     def save(self, kind: str) -> bytes:
         """What a click on the button saves."""
         self.find(kind).click()
@@ -162,9 +168,7 @@ def thinned(**options: Any) -> Callable[[Any], Any]:
         ({"method": "local", "offset": 4}, {"threshold": "local", "offset": 4}),
         *(({"channel": name}, {"channel": name}) for name in ("red", "blue", "saturation", "value", "auto"))))])
 def test_skeletons_are_those_of_the_native_library(page, files, name, settings, expected):
-    page.open()
-    page.choose(files[name])
-    page.set(**settings)
+    page.show(files[name], **settings)
     skeleton = expected(pixels_of(files[name]))
     assert np.array_equal(is_set(page.png()), skeleton)
     rows = page.table()
@@ -187,9 +191,7 @@ def test_every_choice_gives_the_pixels_of_the_native_library(page, files, name, 
 
 @pytest.mark.parametrize("name", ["discs", "noise", "scene.jpg"])
 def test_objects_and_holes_are_those_of_the_native_library(page, files, name):
-    page.open()
-    page.choose(files[name])
-    page.set(operation="holes")
+    page.show(files[name], operation="holes")
     table, labels = thinbench.label_regions(thinbench.binarise(pixels_of(files[name])))
     rows = [row[3:] for row in page.table()[1:]]
     columns = ["enclosing_object", "area", "centroid-1", "centroid-0", "bbox-1", "bbox-0"]
@@ -203,9 +205,7 @@ def test_objects_and_holes_are_those_of_the_native_library(page, files, name):
 
 
 def test_small_regions_are_omitted_with_their_holes(page, files):
-    page.open()
-    page.choose(files["scene.jpg"])
-    page.set(operation="holes", area=300)
+    page.show(files["scene.jpg"], operation="holes", area=300)
     table = thinbench.find_regions(thinbench.binarise(pixels_of(SCENE)))
     large = table["area"] >= 300
     kept = [i for i in range(len(large)) if large[i]
@@ -218,9 +218,7 @@ def test_small_regions_are_omitted_with_their_holes(page, files):
 
 
 def test_labels_are_those_of_the_native_library(page, files):
-    page.open()
-    page.choose(files["noise"])
-    page.set(operation="labels")
+    page.show(files["noise"], operation="labels")
     labels, count = thinbench.label_image(thinbench.binarise(pixels_of(files["noise"])))
     names = re.search(r"labelColours = \[(.*?)\]", (ROOT / "web/worker.js").read_text(encoding="utf-8"), re.DOTALL)
     assert names
@@ -232,9 +230,7 @@ def test_labels_are_those_of_the_native_library(page, files):
 
 @pytest.mark.parametrize(("name", "prune"), [("scene.jpg", 0), ("scene.jpg", 15), ("noise", 0)])
 def test_graphs_are_those_of_the_native_library(page, files, name, prune):
-    page.open()
-    page.choose(files[name])
-    page.set(operation="graph", prune=prune)
+    page.show(files[name], operation="graph", prune=prune)
     binary = thinbench.binarise(pixels_of(files[name]))
     skeleton = thinbench.prune(thinbench.thin(binary), prune)
     graph = thinbench.skeleton_graph(skeleton, binary, not_thin="ignore")
@@ -252,9 +248,7 @@ def test_graphs_are_those_of_the_native_library(page, files, name, prune):
 
 
 def test_svg_has_the_pixels_of_the_result(page, files):
-    page.open()
-    page.choose(files["discs"])
-    page.settle()
+    page.show(files["discs"])
     drawing = ElementTree.fromstring(page.save("svg"))
     drawn = np.zeros((150, 200), bool)
     for path in drawing.iter("{http://www.w3.org/2000/svg}path"):
@@ -267,9 +261,7 @@ def test_what_is_transparent_counts_as_white(page, tmp_path):
     pixels = np.zeros((40, 50, 4), np.uint8)
     pixels[10:30, 12:40, 3] = 255
     Image.fromarray(pixels).save(tmp_path / "bar.png")
-    page.open()
-    page.choose(tmp_path / "bar.png")
-    page.settle()
+    page.show(tmp_path / "bar.png")
     assert np.array_equal(is_set(page.png()), thinbench.thin(pixels[..., 3] > 0))
 
 
@@ -306,9 +298,7 @@ def test_a_bad_file_gives_one_line_and_the_next_one_is_read(page, files, tmp_pat
 
 
 def test_a_wrong_number_gives_one_line_and_the_next_one_works(page, files):
-    page.open()
-    page.choose(files["discs"])
-    page.settle()
+    page.show(files["discs"])
     page.find("prune").clear()
     page.find("prune").send_keys("-3")
     page.until("document.getElementById('status').textContent.includes(\"'-3'\")")
@@ -401,9 +391,7 @@ def test_the_page_lives_while_it_computes_and_the_latest_settings_win(page, tmp_
 
 def test_the_page_needs_no_network_and_says_nothing_to_the_console(page, files):
     page.errors()
-    page.open()
-    page.choose(files["scene.jpg"])
-    page.settle()
+    page.show(files["scene.jpg"])
     addresses = page.value("performance.getEntriesByType('resource').map(one => one.name)")
     assert [one for one in addresses if not one.startswith(("blob:", "data:"))] == []
     assert page.errors() == []

@@ -1,15 +1,102 @@
-// The reference of rules given as tables, on hand-worked images.
-
+// The meaning of border and max_iterations, tested on the references of all rules; the reference of
+// rules given as tables, on images worked by hand.
 #include <bit>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/text_image.hpp"
+#include "support/rule_parameters.hpp"
 
 namespace thinbench {
 namespace {
+
+/// Noise, with foreground on all sides, and images that consist of their border.
+std::vector<ByteImage> images() {
+  std::vector<ByteImage> all;
+  std::uint64_t seed = 40;
+  for (const auto& [width, height] :
+       {std::pair<Index, Index>{1, 1}, {1, 9}, {9, 1}, {2, 2}, {2, 7}, {3, 3}, {5, 4}, {31, 23}}) {
+    for (const int percent : {55, 92, 100}) {
+      all.push_back(noise_image(width, height, percent, 1, ++seed));
+    }
+  }
+  return all;
+}
+
+bool is_on_border(const ByteImage& image, Index x, Index y) {
+  return x == 0 || y == 0 || x == image.width() - 1 || y == image.height() - 1;
+}
+
+class Repetition : public testing::TestWithParam<Rule> {};
+
+TEST_P(Repetition, keeps_the_border_on_request) {
+  for (const ByteImage& image : images()) {
+    for (const int limit : {1, 2, kUnlimited}) {
+      const Thinned result = thinned_by_reference(GetParam(), image, {Border::keep, limit});
+      for (Index y = 0; y < image.height(); ++y) {
+        for (Index x = 0; x < image.width(); ++x) {
+          if (!is_on_border(image, x, y)) continue;
+          ASSERT_EQ(result.image.at(x, y), image.at(x, y)) << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Repetition, keeping_the_border_does_nothing_where_it_is_background) {
+  for (const ByteImage& image : images()) {
+    const ByteImage inner = image_by(image.width(), image.height(), [&](Index x, Index y) {
+      return is_on_border(image, x, y) ? 0 : image.at(x, y);
+    });
+    EXPECT_TRUE(equal(thinned_by_reference(GetParam(), inner, {Border::keep}).image.view(),
+                      thinned_by_reference(GetParam(), inner).image.view()));
+  }
+}
+
+TEST_P(Repetition, repeated_single_iterations_equal_one_run) {
+  for (const Border border : {Border::background, Border::keep}) {
+    for (const ByteImage& image : images()) {
+      const Thinned all = thinned_by_reference(GetParam(), image, {border});
+      ByteImage current = copy_of(image.view());
+      for (int done = 1; done <= all.iterations; ++done) {
+        const Thinned next = thinned_by_reference(GetParam(), current, {border, 1});
+        EXPECT_EQ(next.iterations, 1);
+        EXPECT_EQ(equal(next.image.view(), current.view()), done == all.iterations)
+            << "only the last iteration changes nothing";
+        current = copy_of(next.image.view());
+        const Thinned limited = thinned_by_reference(GetParam(), image, {border, done});
+        EXPECT_EQ(limited.iterations, done);
+        EXPECT_TRUE(equal(limited.image.view(), current.view()));
+      }
+      EXPECT_TRUE(equal(current.view(), all.image.view()));
+    }
+  }
+}
+
+TEST_P(Repetition, works_in_place) {
+  for (const ByteImage& image : images()) {
+    for (const Border border : {Border::background, Border::keep}) {
+      const Thinned expected = thinned_by_reference(GetParam(), image, {border});
+      ByteImage in_place = copy_of(image.view());
+      EXPECT_EQ(reference_named(GetParam().name())({border}, in_place.view(), in_place.view()),
+                expected.iterations);
+      EXPECT_TRUE(equal(in_place.view(), expected.image.view()));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, Repetition, testing::ValuesIn(all_rules()), rule_test_name);
+
+TEST(ReferenceZhangSuen, removes_the_row_below_a_kept_border) {
+  // Worked by hand: each inner pixel has five consecutive foreground neighbours and none below, so
+  // the first sub-iteration removes it.
+  ByteImage image = image_of({"#######", "#######", "......."});
+  EXPECT_EQ(reference::thinning(Rule::zhang_suen)({Border::keep}, image.view(), image.view()), 2);
+  EXPECT_EQ(text_of(image), (TextImage{"#######", "#.....#", "......."}));
+}
 
 using Tables = std::vector<WindowTable>;
 

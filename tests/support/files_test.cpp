@@ -1,22 +1,115 @@
-#include "support/whole_file.hpp"
-
+// Files that are read, locked and written whole.
+#include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "support/file_bytes.hpp"
+#include "support/file_error.hpp"
 #include "support/file_size_limit.hpp"
+#include "support/locked_file.hpp"
 #include "support/own_directory.hpp"
 #include "support/rejection.hpp"
+#include "support/text.hpp"
 #include "support/unfinished_file.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
 
-std::string failure_of(const std::string& path, const std::string& bytes = "new") {
+using FileBytesTest = OwnDirectory;
+
+std::string read_error_of(const std::string& path) {
+  return rejection_of<FileError>([&] { static_cast<void>(read_file(path, 5)); });
+}
+
+TEST_F(FileBytesTest, hold_all_bytes) {
+  const std::string bytes("a\0b\nc", 5);
+  put("a", bytes);
+  EXPECT_EQ(read_file("a", 5).text(), bytes);
+  EXPECT_EQ(read_file("a").name(), "a");
+  put("empty", "");
+  EXPECT_EQ(read_file("empty").text(), "");
+}
+
+TEST_F(FileBytesTest, nothing_but_regular_files_is_read_nor_waited_for) {
+  ASSERT_EQ(mkfifo("pipe", 0666), 0);
+  EXPECT_EQ(read_error_of("pipe"), "cannot read 'pipe': it is not a regular file");
+  EXPECT_EQ(read_error_of("/dev/zero"), "cannot read '/dev/zero': it is not a regular file");
+  EXPECT_EQ(read_error_of("."), "cannot read '.': it is a directory");
+  EXPECT_EQ(read_error_of("none"), "cannot read 'none': there is no such file");
+}
+
+TEST_F(FileBytesTest, beyond_a_limit_is_rejected_before_it_is_read) {
+  put("a", "");
+  fs::resize_file("a", std::uintmax_t{1} << 40);
+  EXPECT_EQ(read_error_of("a"), "cannot read 'a': it has more than 5 bytes");
+  EXPECT_EQ(rejection_of<FileError>([&] { static_cast<void>(read_file("a", 1'000'000)); }),
+            "cannot read 'a': it has more than 1,000,000 bytes");
+}
+
+TEST(ExtensionOf, is_in_lower_case_whatever_the_name_has) {
+  EXPECT_EQ(extension_of("page.tif"), ".tif");
+  EXPECT_EQ(extension_of("SCANS.D/PAGE.TIFF"), ".tiff");
+  EXPECT_EQ(extension_of("a.b.Pbm"), ".pbm");
+  EXPECT_EQ(extension_of("scans.d/page"), "");
+}
+
+using LockedFileTest = OwnDirectory;
+
+TEST_F(LockedFileTest, belongs_to_one_at_a_time) {
+  const std::string path = "a";
+  const LockedFile first(path, path);
+  EXPECT_EQ(rejection_of<FileError>([&] { const LockedFile second(path, path); }),
+            "cannot write '" + path + "': another run is writing it");
+}
+
+bool is_named(const LockedFile& file, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(file.descriptor(), &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino;
+}
+
+struct Counts {
+  std::atomic<int> locked = 0, unnamed = 0;
+};
+
+/// Replaces the file while it has the lock. Counts how often it had it, and how often another file
+/// had the name.
+void replace_again_and_again(const std::string& path, const std::string& other, Counts& counts) {
+  for (int i = 0; i < 5000; ++i) {
+    try {
+      const LockedFile file(path, path);
+      ++counts.locked;
+      if (!is_named(file, path)) ++counts.unnamed;
+      std::ofstream(other) << "new";
+      std::rename(other.c_str(), path.c_str());
+    } catch (const FileError&) {  // the other thread has it
+    }
+  }
+}
+
+TEST_F(LockedFileTest, has_its_name_even_where_others_replace_it) {
+  Counts counts;
+  std::vector<std::thread> threads;
+  for (const std::string name : {"b", "c", "d"}) {
+    threads.emplace_back([&, name] { replace_again_and_again("a", name, counts); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(counts.unnamed, 0);
+  EXPECT_GT(counts.locked, 0);
+}
+
+std::string write_error_of(const std::string& path, const std::string& bytes = "new") {
   return rejection_of<FileError>([&] { write_whole_file(path, bytes); });
 }
 
@@ -38,17 +131,17 @@ TEST_F(WholeFile, replaces_an_existing_file_but_not_a_file_named_part) {
 }
 
 TEST_F(WholeFile, explains_why_a_path_cannot_be_written) {
-  EXPECT_EQ(failure_of("absent/a.json"),
+  EXPECT_EQ(write_error_of("absent/a.json"),
             "cannot write 'absent/a.json': there is no directory 'absent'");
-  EXPECT_EQ(failure_of("."), "cannot write '.': it is a directory");
-  EXPECT_EQ(failure_of(""), "cannot write '': its name is empty");
+  EXPECT_EQ(write_error_of("."), "cannot write '.': it is a directory");
+  EXPECT_EQ(write_error_of(""), "cannot write '': its name is empty");
 }
 
 TEST_F(WholeFile, failed_write_keeps_the_old_file_and_leaves_no_other) {
   put("a.json", "old");
   {
     const FileSizeLimit limit(100);
-    EXPECT_EQ(failure_of("a.json", std::string(1000, 'x')),
+    EXPECT_EQ(write_error_of("a.json", std::string(1000, 'x')),
               "cannot write 'a.json': File too large");
   }
   EXPECT_EQ(bytes_of("a.json"), "old");
@@ -69,11 +162,11 @@ TEST_F(WholeFile, is_written_through_symbolic_links_even_to_a_file_that_does_not
 
 TEST_F(WholeFile, replaces_nothing_but_regular_files) {
   ASSERT_EQ(mkfifo("pipe", 0666), 0);
-  EXPECT_EQ(failure_of("pipe"), "cannot write 'pipe': it is not a regular file");
+  EXPECT_EQ(write_error_of("pipe"), "cannot write 'pipe': it is not a regular file");
   EXPECT_TRUE(fs::is_fifo("pipe"));
   EXPECT_THROW(check_target("/dev/null"), FileError);
   fs::create_symlink("loop", "loop");
-  EXPECT_EQ(failure_of("loop"), "cannot write 'loop': Too many levels of symbolic links");
+  EXPECT_EQ(write_error_of("loop"), "cannot write 'loop': Too many levels of symbolic links");
 }
 
 TEST_F(WholeFile, replaced_file_keeps_its_mode) {
@@ -169,7 +262,7 @@ TEST_F(WholeFile, limit_of_file_sizes_is_an_error_and_not_the_end_of_the_program
     const FileSizeLimit limit(100);
     std::signal(SIGXFSZ, SIG_DFL);
     remove_unfinished_files_on_signals();
-    std::exit(failure_of("a.json", std::string(1000, 'x')).empty() ? 1 : 0);
+    std::exit(write_error_of("a.json", std::string(1000, 'x')).empty() ? 1 : 0);
   };
   EXPECT_EXIT(write_too_much(), testing::ExitedWithCode(0), "");
   EXPECT_EQ(names(), Names{"a.json"});
