@@ -76,7 +76,7 @@ TEST(TrainCommand, two_layer_prints_epochs_and_restarts_and_writes_both_files) {
                    "threshold, after 289 epochs and 0 restarts"),
       0U);
   const auto weights = std::get<TwoLayerWeights>(read_weights(json));
-  EXPECT_EQ(table_markdown(weights), bytes_of(markdown));
+  EXPECT_EQ(table_markdown(to_net(weights)), bytes_of(markdown));
   EXPECT_NE(bytes_of(json).find("\"made_by\": \"thinbench-study train two-layer --seed 2\""),
             std::string::npos);
 }
