@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+import pandas as pd
 
 from report.errors import ReportError
 from report.files import check_directory, write_files
-from report.formatting import counted, markdown_table
+from report.formatting import counted, markdown_table, templates
 from report.measure.run import Run, load_run
 from report.measure.timings import END_TO_END, Row
 
 PAGE, TABLE, MARKDOWN = "comparison.html", "comparison.csv", "comparison.md"
-TEMPLATES = Path(__file__).parent / "templates"
 
 EPILOG = """Runs are compared with the first one: ratios of times, and of speed-ups over the scalar
 reference of the same run. Inputs that are not equal pixel by pixel are not compared.
@@ -29,6 +26,9 @@ examples:
   ./study compare before after --out /tmp/comparison
 
 Exit status: 0 done, 1 a directory holds no run or nothing can be compared, 2 wrong usage."""
+
+COLUMNS = ("run", "machine", "commit", "time_ns", "high_ns", "speedup_vs_reference", "speedup_low", "speedup_high", "flags")
+"""Those of timings.csv in the table."""
 
 Key = tuple[str, str]
 """Name of a row and of its parameter sweep."""
@@ -53,9 +53,7 @@ def run_compare(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
 def compare_runs(runs: Sequence[Run], out: Path) -> str:
     """Writes the page and both tables."""
     comparison = Comparison(runs)
-    environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
-                              undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    page = environment.get_template("compare.html.j2").render(comparison=comparison)
+    page = templates(Path(__file__).parent).get_template("compare.html.j2").render(comparison=comparison)
     write_files(out, {PAGE: page.encode(), TABLE: comparison.csv().encode(),
                       MARKDOWN: comparison.markdown().encode()})
     return (f"{len(comparison.lines)} rows of {len(runs)} runs; {out} holds {PAGE}, {TABLE} and "
@@ -128,22 +126,10 @@ class Comparison:
 
     def csv(self) -> str:
         """A line for each row and run; the row's own columns as in timings.csv."""
-        stream = io.StringIO()
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(["row", "sweep", "run", "machine", "commit", "time_ns", "high_ns",
-                         "speedup_vs_reference", "speedup_low", "speedup_high", "flags",
-                         "times_as_fast", "speedup_ratio"])
-        for line in self.lines:
-            for index, row in enumerate(line.rows):
-                if row is None:
-                    continue
-                writer.writerow([line.name, line.sweep, row.run, row.machine, row.commit,
-                                 *map(_number, (row.time_ns, row.high_ns,
-                                                row.speedup_vs_reference, row.speedup_low,
-                                                row.speedup_high)), row.flags,
-                                 _number(line.time_ratio(index)),
-                                 _number(line.speedup_ratio(index))])
-        return stream.getvalue()
+        cells = [{"row": line.name, "sweep": line.sweep, **{name: getattr(row, name) for name in COLUMNS},
+                  "times_as_fast": line.time_ratio(index), "speedup_ratio": line.speedup_ratio(index)}
+                 for line in self.lines for index, row in enumerate(line.rows) if row]
+        return str(pd.DataFrame(cells).to_csv(index=False, float_format="%.4g", lineterminator="\n"))
 
     def markdown(self) -> str:
         """Runs, differences, and the fastest row of each case and input."""

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.measure.timings import END_TO_END, REFERENCE, Row
 
@@ -71,3 +74,9 @@ def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]],
     lines: list[Sequence[str]] = [header, rule, *rows]
     return "".join(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in line)} |\n"
                    for line in lines)
+
+
+def templates(package: Path) -> Environment:
+    """The pages in a directory of this package."""
+    return Environment(loader=FileSystemLoader(package / "templates"), autoescape=True, undefined=StrictUndefined,
+                       trim_blocks=True, lstrip_blocks=True)

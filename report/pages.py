@@ -15,9 +15,10 @@ from report.files import check_directory, write_file
 from report.formatting import NOTHING, counted, markdown_table, times
 from report.git import commit_name
 from report.measure.benchmarks import Benchmarks, Json, with_rows
-from report.measure.command import RESULTS, add_time_options, finished, measure_parts, run_directory, budget_of
+from report.measure.command import RESULTS, add_part_options, budget_of, finished, measure_run
+from report.measure.machine import machine_facts
 from report.measure.measurement import Part
-from report.measure.run import TIMINGS, Run, load_run, machine_facts, write_run
+from report.measure.run import TIMINGS, Run, load_run
 from report.measure.timings import END_TO_END, Row
 from report.page.operations import COPIES, label, place
 from report.page.sentences import choice_text, warning_text
@@ -65,10 +66,7 @@ def add_pages_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--images", metavar="DIR", type=Path, action="append", default=[],
                         help="the images of this directory instead; repeatable")
     add_filter_option(parser, OPERATIONS)
-    add_time_options(parser, 300, 60)
-    parser.add_argument("--out", metavar="DIR", type=Path,
-                        help=f"directory of a run, which gets a directory {DIRECTORY}; default "
-                             "results/<machine>/<date>-<commit>")
+    add_part_options(parser, 300, 60, DIRECTORY)
 
 
 def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> tuple[str, int]:
@@ -77,15 +75,13 @@ def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
     check_directory(options.out or RESULTS)
     programs = build("release", BENCHMARKS)
     machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
-    directory = run_directory(options, machine, DIRECTORY)
     chosen = {"filter": options.filter, "seconds": budget_of(options),
               "images": [Path(words[1]).name for words in inputs]}
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
-    measurement, complete = measure_parts(benchmarks, directory, chosen, machine, options,
-                                          lambda: _parts(benchmarks, inputs, options.filter))
-    run = write_run(directory, machine, chosen, measurement.parts, f"{directory.resolve().parent.name}/{DIRECTORY}")
-    write_file(directory / MARKDOWN, pages_markdown(run).encode())
-    return finished(measurement, complete, f"{pages_table(run.rows)}\n{directory} holds {MARKDOWN} and {TIMINGS}")
+    run, measurement, complete = measure_run(benchmarks, chosen, machine, options,
+                                             lambda: _parts(benchmarks, inputs, options.filter), DIRECTORY)
+    write_file(run.directory / MARKDOWN, pages_markdown(run).encode())
+    return finished(measurement, complete, f"{pages_table(run.rows)}\n{run.directory} holds {MARKDOWN} and {TIMINGS}")
 
 
 def _inputs(options: argparse.Namespace) -> list[list[str]]:

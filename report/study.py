@@ -13,10 +13,9 @@ from report.errors import ReportError
 from report.files import check_directory
 from report.git import commit_name
 from report.measure.benchmarks import Benchmarks, Json
-from report.measure.command import (RESULTS, add_time_options, budget_of, finished, measure_parts,
-                                    run_directory)
+from report.measure.command import RESULTS, add_time_options, budget_of, finished, measure_run
 from report.measure.measurement import Part
-from report.measure.run import machine_facts, write_run
+from report.measure.machine import machine_facts
 from report.row_options import (add_row_options, binarise_words, check_binarise_options, image_file,
                                 input_words, positive)
 
@@ -81,17 +80,15 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> t
     experiments = ("thinbench_study",) if _quality_images(options) else ()
     programs = build("release", BENCHMARKS + experiments, isas=isas_in_use() if options.quick else ())
     machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
-    directory = run_directory(options, machine)
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
-    measurement, complete = measure_parts(benchmarks, directory, _options_json(options), machine, options,
-                                          lambda: [Part(benchmarks.verify(words), options=_short(options))
-                                                   for words in plans_of(options)])
-    write_run(directory, machine, _options_json(options), measurement.parts)
-    write_pictures(programs / "thinbench_benchmarks", directory, options)
+    run, measurement, complete = measure_run(benchmarks, _options_json(options), machine, options,
+                                             lambda: [Part(benchmarks.verify(words), options=_short(options))
+                                                      for words in plans_of(options)])
+    write_pictures(programs / "thinbench_benchmarks", run.directory, options)
     if complete:
-        measure_quality(programs / "thinbench-study", directory, options)
+        measure_quality(programs / "thinbench-study", run.directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
-    return finished(measurement, complete, build_page(directory))
+    return finished(measurement, complete, build_page(run.directory))
 
 
 def _short(options: argparse.Namespace) -> list[str]:

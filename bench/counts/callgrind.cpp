@@ -1,10 +1,10 @@
 #include "counts/callgrind.hpp"
 
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <system_error>
@@ -19,10 +19,6 @@
 
 namespace thinbench {
 namespace {
-
-[[noreturn]] void throw_errno(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
 
 std::string job_of(const std::vector<const TimedRow*>& rows) {
   std::vector<std::string> names;

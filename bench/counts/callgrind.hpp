@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,6 @@ struct CallgrindUse {
 struct CallgrindCounts {
   std::map<const TimedRow*, std::uint64_t> instructions;  // of one call
   CallgrindUse use;
-
-  [[nodiscard]] std::optional<std::uint64_t> of(const TimedRow& row) const {
-    const auto found = instructions.find(&row);
-    if (found == instructions.end()) return std::nullopt;
-    return found->second;
-  }
 };
 
 /// Whether valgrind knows the instructions of the row's ISA.

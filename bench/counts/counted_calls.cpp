@@ -3,6 +3,7 @@
 // of each process what it counted. It links no more than the rows, because all of it starts slowly.
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,7 +25,11 @@ namespace {
 }
 
 void call_row(const std::string& name, const TimedInput& input) {
-  with_warm_call(row_named(name, input), count);
+  const TimedRow row = row_named(name, all_operations(), {&input, 1});
+  if (!row.variant->unavailable_reason(input.width()).empty()) {
+    throw std::runtime_error("valgrind lacks what '" + name + "' needs");
+  }
+  with_warm_call(row, count);
 }
 
 /// Callgrind writes its line before the process has ended, and then comes ours.

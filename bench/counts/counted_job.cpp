@@ -3,8 +3,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "harness/operation.hpp"
-
 namespace thinbench {
 namespace {
 
@@ -20,11 +18,6 @@ ByteImage read_pixels(std::istream& stream, Index width, Index height) {
     stream.read(reinterpret_cast<char*>(image.view().row(y)), width);
   }
   return image;
-}
-
-/// "case/technique/isa/threads/", with which the name of a row begins.
-std::string start_of(const Operation& operation, const Variant& variant) {
-  return row_name(operation.name, variant.technique, variant.isa_label(), 1) + "/";
 }
 
 }  // namespace
@@ -54,20 +47,6 @@ CountedJob read_job(std::istream& stream) {
   }
   if (!stream) throw std::runtime_error("standard input holds no whole job");
   return job;
-}
-
-TimedRow row_named(const std::string& name, const TimedInput& input) {
-  for (const Operation& operation : all_operations()) {
-    for (const Variant& variant : operation.variants) {
-      const std::string start = start_of(operation, variant);
-      if (variant.threaded || !name.starts_with(start)) continue;
-      if (!variant.unavailable_reason(input.width()).empty()) continue;
-      const bool is_kernel = name.compare(start.size(), 7, "kernel/") == 0;
-      return {name,   &operation, &variant, 1, is_kernel ? Scope::kernel : Scope::end_to_end,
-              &input, {}};
-    }
-  }
-  throw std::runtime_error("there is no row '" + name + "' here");
 }
 
 }  // namespace thinbench

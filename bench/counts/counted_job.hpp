@@ -2,11 +2,13 @@
 // call that is counted, made ready alike for every way to count.
 #pragma once
 
+#include <cerrno>
 #include <exception>
 #include <functional>
 #include <istream>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,6 +26,11 @@ inline constexpr const char* kCountedCallsProgram = "thinbench_counted_calls";
 inline constexpr const char* kCallDone = "call done";
 inline constexpr const char* kCallFailed = "call failed";
 
+/// Throws std::system_error by errno.
+[[noreturn]] inline void throw_errno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
 struct CountedJob {
   TimedInput input;
   std::vector<std::string> rows;  // case/technique/isa/threads/scope/input
@@ -33,10 +40,6 @@ void write_job(std::ostream& stream, const TimedInput& input, const std::vector<
 
 /// Throws std::runtime_error where the stream holds less than a job.
 [[nodiscard]] CountedJob read_job(std::istream& stream);
-
-/// The row of this name on the job's input. Throws std::runtime_error where no operation has it or
-/// it cannot run here.
-[[nodiscard]] TimedRow row_named(const std::string& name, const TimedInput& input);
 
 using CountedCall = std::function<void()>;
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
-#include "machine/machine.hpp"
+#include "measure/build_facts.hpp"
 #include "measure/known_rows.hpp"
 
 namespace thinbench {
@@ -32,19 +32,25 @@ std::string counter_of(const TimedRow& row) {
   return row.counter ? std::to_string(*row.counter) : "";
 }
 
-}  // namespace
-
+/// What must be equal for counts to be comparable: compiler and flags, the C library and the
+/// highest ISA of the processor, which its functions choose by.
 Json build_json() {
   return {{"compiler", compiler_json()},
           {"libc", gnu_get_libc_version()},
           {"processor_level", processor_level()}};
 }
 
+}  // namespace
+
 Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t max_steps) {
-  Json document = {{"schema", kCountsSchema},    {"kind", kInstructionsKind},
-                   {"build", build_json()},      {"valgrind", counts.callgrind.version},
-                   {"input", input_json(input)}, {"rows", Json::array()},
-                   {"skipped", Json::array()},   {"max_steps", max_steps}};
+  Json document = {{"schema", 3},
+                   {"kind", "instructions"},
+                   {"build", build_json()},
+                   {"valgrind", counts.callgrind.version},
+                   {"input", input_json(input)},
+                   {"rows", Json::array()},
+                   {"skipped", Json::array()},
+                   {"max_steps", max_steps}};
   for (const RowCount& count : counts.rows) document["rows"].push_back(count_json(count));
   for (const SkippedRow& row : counts.skipped) {
     document["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});

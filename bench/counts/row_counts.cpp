@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -10,7 +9,6 @@
 #include <map>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -24,10 +22,6 @@
 
 namespace thinbench {
 namespace {
-
-[[noreturn]] void throw_errno(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
 
 /// What the child says, in memory that it shares.
 struct Answer {

@@ -27,8 +27,13 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// From input bytes to the result. Jobs that give no image leave `output` alone.
-  virtual void run(const ConstImageView& input, const ImageView& output) = 0;
+  /// From input bytes to the result, by the steps where there is no shorter way. Jobs that give no
+  /// image leave `output` alone.
+  virtual void run(const ConstImageView& input, const ImageView& output) {
+    load(input);
+    kernel();
+    if (gives_image()) store(output);
+  }
 
   /// The three steps of run, for jobs whose representation differs from bytes: into it, the
   /// operation itself (the input is kept, so this may be repeated), and out of it. Others throw

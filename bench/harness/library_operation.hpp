@@ -17,13 +17,16 @@ namespace thinbench {
 struct NoNumbers {
   static constexpr bool kGivesImage = true;
   [[nodiscard]] static std::vector<std::int64_t> numbers() { return {}; }
-  [[nodiscard]] static std::string name_of_number(std::size_t) { return {}; }
 };
 
-struct Iterations {
+struct OneNumber {
+  static constexpr bool kGivesImage = false;
+  std::int64_t number = 0;
+  [[nodiscard]] std::vector<std::int64_t> numbers() const { return {number}; }
+};
+
+struct Iterations : OneNumber {
   static constexpr bool kGivesImage = true;
-  int count = 0;
-  [[nodiscard]] std::vector<std::int64_t> numbers() const { return {count}; }
   [[nodiscard]] static std::string name_of_number(std::size_t) { return "iterations"; }
 };
 
@@ -77,7 +80,11 @@ class ResultJob : public Job {
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const final { return result.numbers(); }
   [[nodiscard]] std::string name_of_number(std::size_t index) const final {
-    return result.name_of_number(index);
+    if constexpr (requires(Result given) { given.name_of_number(index); }) {
+      return result.name_of_number(index);
+    } else {
+      return Job::name_of_number(index);
+    }
   }
   [[nodiscard]] bool gives_image() const final { return Result::kGivesImage; }
 
@@ -116,7 +123,7 @@ template <class Function>
   return function_job<Iterations>(
       0, 0,
       [function = std::move(function)](const auto& input, const auto& output, Iterations& found) {
-        found.count = function(input, output);
+        found.number = function(input, output);
       });
 }
 

@@ -23,10 +23,7 @@ void append(std::vector<std::int64_t>& numbers, const Region& region) {
                                  region.right, region.bottom, region.enclosing_object});
 }
 
-struct EulerNumber {
-  static constexpr bool kGivesImage = false;
-  std::int64_t number = 0;
-  [[nodiscard]] std::vector<std::int64_t> numbers() const { return {number}; }
+struct EulerNumber : OneNumber {
   [[nodiscard]] static std::string name_of_number(std::size_t) { return "Euler number"; }
 };
 

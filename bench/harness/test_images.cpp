@@ -135,12 +135,9 @@ struct Pattern {
 };
 
 TestImage pattern(const Pattern& pattern, Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      image.at(x, y) = pattern.contains(x, y, width, height) ? kForeground : 0;
-    }
-  }
+  ByteImage image = image_by(width, height, [&](Index x, Index y) {
+    return pattern.contains(x, y, width, height) ? kForeground : 0;
+  });
   const std::string size = std::to_string(width) + " x " + std::to_string(height);
   return {std::string(pattern.name) + " " + size, std::move(image)};
 }

@@ -39,7 +39,7 @@ class StateJob final : public ResultJob<Iterations> {
   explicit StateJob(std::unique_ptr<ThinningState> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    result.count = state_->run(input, output);
+    result.number = state_->run(input, output);
   }
   void load(const ConstImageView& input) override {
     const Index width = input.width, height = input.height;
@@ -49,7 +49,7 @@ class StateJob final : public ResultJob<Iterations> {
     skeleton_.emplace(width, height);
   }
   void kernel() override {
-    result.count = state_->run(ConstPackedView(source_.value().view()), skeleton_.value().view());
+    result.number = state_->run(ConstPackedView(source_.value().view()), skeleton_.value().view());
   }
   void store(const ImageView& output) const override {
     detail::BitPlane bits(output.width, output.height);

@@ -61,10 +61,7 @@ ConstImageView earlier_work(Index width, Index height) {
   thread_local ByteImage image;
   if (image.view().width == width && image.view().height == height) return image.view();
   const ByteImage noise = noise_image(width, std::min(height, kRows), 45, 1, 99);
-  image = ByteImage(width, height);
-  for (Index y = 0; y < height; ++y) {
-    std::copy_n(noise.view().row(y % kRows), width, image.view().row(y));
-  }
+  image = image_by(width, height, [&](Index x, Index y) { return noise.at(x, y % kRows); });
   return image.view();
 }
 

@@ -19,7 +19,7 @@
 #include "cli/arguments.hpp"
 #include "cli/parse_errors.hpp"
 #include "cli/reported.hpp"
-#include "machine/machine.hpp"
+#include "measure/build_facts.hpp"
 #include "measure/known_rows.hpp"
 #include "measure/pictures.hpp"
 #include "measure/repetition.hpp"
@@ -133,14 +133,11 @@ int verify_and_measure(const BenchmarkOptions& options) {
   return std::max(status, measure(rows, options));
 }
 
-int describe_machine() {
-  using Json = nlohmann::json;
-  std::cout << machine_json().dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  return kSuccess;
-}
-
 int run(const BenchmarkOptions& options) {
-  if (options.machine) return describe_machine();
+  if (options.machine) {
+    std::cout << build_facts().dump(2) << '\n';
+    return kSuccess;
+  }
   if (!options.pictures.empty()) {
     write_pictures(timed_inputs(options.inputs, &std::cerr), options.pictures);
     return kSuccess;
@@ -190,17 +187,14 @@ void initialize(std::vector<std::string>& words) {
 
 void add_options(CLI::App& app, BenchmarkOptions& options) {
   add_row_options(app, options.inputs, options.rows);
-  app.add_option("--seconds-per-row", options.seconds_per_row,
-                 "how long the repetitions of a row take, about; there are 4 to 25, with --known 1 "
-                 "to 25")
-      ->capture_default_str()
-      ->check(real_number(0, 100))
-      ->type_name("S");
-  app.add_option("--max-call", options.max_call_seconds,
-                 "rows whose call takes longer are verified, but not measured")
-      ->capture_default_str()
-      ->check(real_number(0, 1e6))
-      ->type_name("S");
+  add_value(app, "--seconds-per-row", options.seconds_per_row,
+            "how long the repetitions of a row take, about; there are 4 to 25, with --known 1 "
+            "to 25",
+            real_number(0, 100), "S")
+      ->capture_default_str();
+  add_value(app, "--max-call", options.max_call_seconds,
+            "rows whose call takes longer are verified, but not measured", real_number(0, 1e6), "S")
+      ->capture_default_str();
   add_file_option(app, "--samples", options.samples, "write a line of CSV for each repetition");
   CLI::Option* facts =
       add_file_option(app, "--facts", options.facts,
@@ -216,11 +210,11 @@ void add_options(CLI::App& app, BenchmarkOptions& options) {
          "an earlier process has compared the results, which takes longer than to compute them "
          "where images are large")
       ->needs(known);
-  app.add_option("--pictures", options.pictures,
-                 "only write the inputs and what operations make of them as image files")
-      ->check(not_empty())
-      ->type_name("DIR");
-  app.add_flag("--machine", options.machine, "only describe machine and build as JSON");
+  add_value(app, "--pictures", options.pictures,
+            "only write the inputs and what operations make of them as image files", not_empty(),
+            "DIR");
+  app.add_flag("--machine", options.machine,
+               "only describe the build as JSON, for ./study, which adds the machine");
   app.footer(
       R"(Every row is verified against its reference before it is measured. A repetition is about 0.3 ms of
 calls, or one longer call, of a new job; repetitions of all rows are interleaved. ROW/again and

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -22,9 +21,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::map<Foreground, std::string> kForegrounds = {
-    {Foreground::automatic, "auto"}, {Foreground::bright, "bright"}, {Foreground::dark, "dark"}};
-
 /// What a call is taken for that the clock does not see.
 constexpr double kMinSeconds = 1e-9;
 
@@ -43,7 +39,7 @@ Json or_null(const std::optional<Number>& number) {
 Json sources_json(const InputChoice& choice) {
   return {{"pictures", choice.pictures},
           {"drawn", choice.drawn},
-          {"foreground", kForegrounds.at(choice.binarise.foreground)},
+          {"foreground", foreground_name(choice.binarise.foreground)},
           {"threshold", or_null(choice.binarise.threshold)}};
 }
 
@@ -51,9 +47,8 @@ InputChoice sources_of(const Json& sources) {
   InputChoice choice;
   sources.at("pictures").get_to(choice.pictures);
   sources.at("drawn").get_to(choice.drawn);
-  for (const auto& [foreground, word] : kForegrounds) {
-    if (sources.at("foreground") == word) choice.binarise.foreground = foreground;
-  }
+  const auto foreground = foreground_from_name(sources.at("foreground").get<std::string>());
+  choice.binarise.foreground = foreground.value_or(Foreground::automatic);
   if (!sources.at("threshold").is_null()) {
     choice.binarise.threshold = sources.at("threshold").get<int>();
   }

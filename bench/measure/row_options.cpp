@@ -19,11 +19,9 @@ void choose_variants(RowChoice& rows, const std::string& name) {
 }  // namespace
 
 void add_input_options(CLI::App& app, InputChoice& inputs) {
-  CLI::Option* image =
-      app.add_option("--image", inputs.pictures, "this image, not the scene (repeatable)")
-          ->check(not_empty())
-          ->type_name("FILE")
-          ->allow_extra_args(false);
+  CLI::Option* image = add_value(app, "--image", inputs.pictures,
+                                 "this image, not the scene (repeatable)", not_empty(), "FILE")
+                           ->allow_extra_args(false);
   add_binarise_options(app, inputs.binarise, image);
   app.add_option("--input", inputs.drawn,
                  "this drawn image, not the scene: scene, square_N, tiled_N, enlarged_N, "
@@ -41,16 +39,14 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
                  "and ':N' for at most N iterations. Of the cases that keep the border only those "
                  "of OpenCV's rules are measured by default; spell out the name of another: "
                  "'^thin_mb2:keep/'");
-  app.add_option_function<std::string>(
-         "--variants", [&rows](const std::string& name) { choose_variants(rows, name); },
-         "default all; usual: the best of each ISA and each technique once; highest: "
-         "the highest ISA of each technique, both with threads only where the library would "
-         "use them; best: the library's choice and its best scalar variant")
-      ->check(one_of({kVariantChoices.begin(), kVariantChoices.end()}))
-      ->type_name("all|usual|highest|best");
-  app.add_option("--threads", rows.threads, "threads of threaded variants (repeatable)")
-      ->check(whole_number(2, 1024))
-      ->type_name("N")
+  add_value(
+      app, "--variants", [&rows](const std::string& name) { choose_variants(rows, name); },
+      "default all; usual: the best of each ISA and each technique once; highest: "
+      "the highest ISA of each technique, both with threads only where the library would "
+      "use them; best: the library's choice and its best scalar variant",
+      one_of({kVariantChoices.begin(), kVariantChoices.end()}), "all|usual|highest|best");
+  add_value(app, "--threads", rows.threads, "threads of threaded variants (repeatable)",
+            whole_number(2, 1024), "N")
       ->capture_default_str();
   app.add_flag_callback(
       "--no-peers", [&rows] { rows.peers = false; }, "omit other projects' code and the copy");

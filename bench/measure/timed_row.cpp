@@ -4,8 +4,6 @@
 #include <iostream>
 #include <map>
 #include <regex>
-#include <sstream>
-#include <stdexcept>
 
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
@@ -256,37 +254,6 @@ std::string explanation(const RowChoice& choice, const Selection& selection,
   return "no row matches " + filter + "; see 'thinbench-study list --variants'";
 }
 
-template <class Thing>
-const Thing& named(const std::vector<Thing>& things, const std::string& field,
-                   const std::string& name) {
-  const auto found = std::find_if(things.begin(), things.end(),
-                                  [&](const Thing& thing) { return thing.name == field; });
-  if (found == things.end()) throw std::runtime_error("there is no row '" + name + "'");
-  return *found;
-}
-
-std::vector<std::string> fields_of(const std::string& name) {
-  constexpr std::size_t kFields = 6;
-  std::vector<std::string> fields;
-  std::istringstream stream(name);
-  for (std::string field; std::getline(stream, field, '/');) fields.push_back(field);
-  fields.resize(kFields);
-  return fields;
-}
-
-/// nullptr for the reference.
-const Variant* variant_of(const Operation& operation, const std::vector<std::string>& fields,
-                          const std::string& name) {
-  if (fields[1] == "reference") return nullptr;
-  const auto found = std::find_if(
-      operation.variants.begin(), operation.variants.end(), [&](const Variant& variant) {
-        return variant.technique == fields[1] && variant.isa_label() == fields[2] &&
-               variant.threaded == (fields[3] != "1");
-      });
-  if (found == operation.variants.end()) throw std::runtime_error("there is no row '" + name + "'");
-  return &*found;
-}
-
 }  // namespace
 
 bool is_default(const Operation& operation, const Variant& variant, Index width) {
@@ -306,16 +273,8 @@ Selection select_rows(const RowChoice& choice, const std::vector<Operation>& ope
 
 Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Operation>& operations,
                                  const std::vector<TimedInput>& inputs) {
-  try {
-    check_filter(choice.filter);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--filter: ") + error.what());
-  }
-  try {
-    static_cast<void>(isa_cap());
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  checked_usage([&] { check_filter(choice.filter); }, "--filter: ");
+  checked_usage(&isa_cap);
   Selection selection = select_rows(choice, operations, inputs);
   for (const std::string& mismatch : selection.mismatches) {
     std::cerr << "not equal to the reference, not measured: " << mismatch << '\n';
@@ -330,19 +289,6 @@ void report_skipped(const Selection& selection) {
   for (const auto& [reason, count] : reasons_of(selection)) {
     std::cerr << "skipped " << counted(count, "row") << ": " << reason << '\n';
   }
-}
-
-TimedRow row_named(const std::string& name, const std::vector<Operation>& operations,
-                   const std::vector<TimedInput>& inputs) {
-  const std::vector<std::string> fields = fields_of(name);
-  const Operation& operation = named(operations, fields[0], name);
-  const Scope scope = fields[4] == scope_name(Scope::kernel) ? Scope::kernel : Scope::end_to_end;
-  return {name,
-          &operation,
-          variant_of(operation, fields, name),
-          std::stoi(fields[3]),
-          scope,
-          &named(inputs, fields[5], name)};
 }
 
 }  // namespace thinbench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,6 @@ void report_skipped(const Selection& selection);
 /// The row of this name, not verified again. It points to `operations` and `inputs`. Throws
 /// std::runtime_error for a name of no row.
 [[nodiscard]] TimedRow row_named(const std::string& name, const std::vector<Operation>& operations,
-                                 const std::vector<TimedInput>& inputs);
+                                 std::span<const TimedInput> inputs);
 
 }  // namespace thinbench

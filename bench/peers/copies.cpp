@@ -45,11 +45,6 @@ class CopyBitsJob final : public Job {
         source_(width, height),
         target_(width, height) {}
 
-  void run(const ConstImageView& input, const ImageView& output) override {
-    load(input);
-    kernel();
-    store(output);
-  }
   void load(const ConstImageView& input) override { conversion_.read(input, source_.view()); }
   void kernel() override {
     const BitPlaneView from = source_.view();
@@ -67,12 +62,7 @@ class CopyBitsJob final : public Job {
 };
 
 /// All words combined by exclusive or: what must look at every word.
-struct Combined {
-  static constexpr bool kGivesImage = false;
-  std::uint64_t words = 0;
-  [[nodiscard]] std::vector<std::int64_t> numbers() const {
-    return {static_cast<std::int64_t>(words)};
-  }
+struct Combined : OneNumber {
   [[nodiscard]] static std::string name_of_number(std::size_t) { return "words combined"; }
 };
 
@@ -81,10 +71,6 @@ class ReadBitsJob final : public ResultJob<Combined> {
   ReadBitsJob(Index width, Index height)
       : conversion_(detail::plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
 
-  void run(const ConstImageView& input, const ImageView&) override {
-    load(input);
-    kernel();
-  }
   void load(const ConstImageView& input) override { conversion_.read(input, source_.view()); }
   void kernel() override {
     const BitPlaneView from = source_.view();
@@ -94,7 +80,7 @@ class ReadBitsJob final : public ResultJob<Combined> {
       const std::uint64_t* row = from.row(y);
       for (Index i = 0; i < words; ++i) combined ^= row[i];
     }
-    result.words = combined;
+    result.number = static_cast<std::int64_t>(combined);
   }
 
  private:
@@ -108,7 +94,8 @@ JobMaker plain_read() {
     combined = {};
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) {
-        if (input.row(y)[x] != 0) combined.words ^= std::uint64_t{1} << x % kWordBits;
+        if (input.row(y)[x] != 0)
+          combined.number ^= static_cast<std::int64_t>(std::uint64_t{1} << x % kWordBits);
       }
     }
   });

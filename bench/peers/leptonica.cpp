@@ -37,11 +37,6 @@ class ThinConnectedJob final : public Job {
       : connectivity_(connectivity),
         source_(pixCreate(static_cast<int>(width), static_cast<int>(height), 1)) {}
 
-  void run(const ConstImageView& input, const ImageView& output) override {
-    load(input);
-    kernel();
-    store(output);
-  }
   void load(const ConstImageView& input) override {
     if (!source_) return;
     for (Index y = 0; y < input.height; ++y) {

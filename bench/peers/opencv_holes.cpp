@@ -19,9 +19,6 @@ struct Numbers {
   static constexpr bool kGivesImage = false;
   std::vector<std::int64_t> list;
   [[nodiscard]] std::vector<std::int64_t> numbers() const { return list; }
-  [[nodiscard]] static std::string name_of_number(std::size_t index) {
-    return "number " + std::to_string(index);
-  }
 };
 
 /// Images without pixels are not shown to OpenCV, nor to references of what it gives.

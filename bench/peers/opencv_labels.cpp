@@ -29,9 +29,6 @@ struct CvLabels {
     found.insert(found.end(), {0, 0});
     return found;
   }
-  [[nodiscard]] static std::string name_of_number(std::size_t index) {
-    return "number " + std::to_string(index);
-  }
 };
 
 /// Images without pixels are not shown to OpenCV.

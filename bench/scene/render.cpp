@@ -90,13 +90,8 @@ ByteImage draw(const SceneOptions& options, const std::vector<PartShape>& layout
 }  // namespace
 
 ByteImage threshold_dark(ConstImageView grey, int threshold) {
-  ByteImage binary(grey.width, grey.height);
-  for (Index y = 0; y < grey.height; ++y) {
-    const std::uint8_t* from = grey.row(y);
-    std::uint8_t* to = binary.view().row(y);
-    for (Index x = 0; x < grey.width; ++x) to[x] = from[x] < threshold ? 255 : 0;
-  }
-  return binary;
+  return image_by(grey.width, grey.height,
+                  [&](Index x, Index y) { return grey.row(y)[x] < threshold ? 255 : 0; });
 }
 
 Scene render_scene(const SceneOptions& options) {

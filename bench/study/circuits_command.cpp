@@ -192,10 +192,9 @@ Command add_circuits_command(CLI::App& program) {
       program.add_subcommand("circuits", "Search for the circuits of rules and print their header");
   const auto options = std::make_shared<CircuitsOptions>();
   app->add_option("RULE", options->rules, "Rules, default: all that have circuits")->type_name("");
-  app->add_option("--effort", options->effort,
-                  "Work of each search, a millisecond or so each; default: as recorded")
-      ->check(whole_number(1, 1'000'000'000))
-      ->type_name("N");
+  add_value(*app, "--effort", options->effort,
+            "Work of each search, a millisecond or so each; default: as recorded",
+            whole_number(1, 1'000'000'000), "N");
   app->footer(R"(Examples:
   thinbench-study circuits > kernels/rules/built_in/circuits.hpp
   thinbench-study circuits spta_directional

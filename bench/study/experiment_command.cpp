@@ -10,7 +10,6 @@
 #include "experiments/experiments.hpp"
 #include "experiments/thinning_quality.hpp"
 #include "study/study.hpp"
-#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -54,12 +53,10 @@ ExperimentReport run_quality(const ExperimentOptions& options, const Console& co
 using Experiment = std::function<ExperimentReport(const ExperimentOptions&, const Console&)>;
 
 int run(const ExperimentOptions& options, const Experiment& experiment, const Console& console) {
-  if (!options.out.empty()) check_target(options.out);
+  check_targets({options.out});
   const ExperimentReport report = experiment(options, console);
   console.out << report.markdown;
-  if (options.out.empty()) return kSuccess;
-  write_whole_file(options.out, report.json);
-  console.err << "wrote " << options.out << '\n';
+  write_if_named(options.out, report.json, console.err);
   return kSuccess;
 }
 
@@ -102,11 +99,8 @@ AddedExperiment add_quality(CLI::App& parent) {
           ->allow_extra_args(false);
   added.options->of_binarise =
       add_binarise_options(*added.command.app, added.options->binarise, image);
-  added.command.app
-      ->add_option("--pictures-out", added.options->pictures,
-                   "Write the skeletons to this directory")
-      ->check(not_empty())
-      ->type_name("DIR");
+  add_value(*added.command.app, "--pictures-out", added.options->pictures,
+            "Write the skeletons to this directory", not_empty(), "DIR");
   return added;
 }
 

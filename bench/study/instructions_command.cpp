@@ -82,10 +82,9 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   CLI::Option* image =
       add_file_option(app, "--image", options.image, "Image to take instead of the scene");
   add_binarise_options(app, options.binarise, image);
-  app.add_option("--max-steps", options.max_steps,
-                 "Skip rows that take more single steps (default: 400000, without valgrind 30000)")
-      ->check(whole_number(1, 100000000))
-      ->type_name("N");
+  add_value(app, "--max-steps", options.max_steps,
+            "Skip rows that take more single steps (default: 400000, without valgrind 30000)",
+            whole_number(1, 100000000), "N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
   add_file_option(app, "--out", options.out, "Write the data here, as JSON");
 }

@@ -126,16 +126,11 @@ int run(const StudyRunOptions& options, const Console& console) {
 Command add_study_run_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("run", "Compute an image file by one variant");
   const auto options = std::make_shared<StudyRunOptions>();
-  app->add_option("OPERATION", options->operation, "As 'thinbench-study verify' names it")
-      ->required()
-      ->type_name("");
-  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
-  app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")
-      ->required()
-      ->type_name("");
-  app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
-      ->check(not_empty())
-      ->type_name("NAME");
+  add_argument(*app, "OPERATION", options->operation, "As 'thinbench-study verify' names it");
+  add_argument(*app, "IN", options->in, "Image to read");
+  add_argument(*app, "OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif");
+  add_value(*app, "--technique", options->technique, "How to compute (default: the fastest)",
+            not_empty(), "NAME");
   add_isa_option(*app, options->isa);
   add_threads_option(*app, options->threads);
   add_binarise_options(*app, options->binarise);

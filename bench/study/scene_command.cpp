@@ -63,18 +63,15 @@ Command add_scene_command(CLI::App& program) {
   app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")->type_name("");
   app->add_flag("--border-touching", options->border_touching, "Let parts touch the image border");
   app->add_flag("--binary", options->binary, "255 on parts, 0 elsewhere, instead of grey");
-  app->add_option("--scale", options->scale, "Magnification of 510 x 412 pixels, 1 to 100")
-      ->check(whole_number(1, kMaxScale))
-      ->type_name("N")
+  add_value(*app, "--scale", options->scale, "Magnification of 510 x 412 pixels, 1 to 100",
+            whole_number(1, kMaxScale), "N")
       ->capture_default_str();
-  app->add_option("--noise", options->noise, "Standard deviation in grey levels, 0 to 255")
-      ->check(real_number(0, 255))
-      ->type_name("SIGMA")
+  add_value(*app, "--noise", options->noise, "Standard deviation in grey levels, 0 to 255",
+            real_number(0, 255), "SIGMA")
       ->capture_default_str();
   app->add_flag("--no-illumination", options->no_illumination, "Light the scene evenly");
-  app->add_option("--seed", options->seed, "Picks the noise, 0 to 2^64 - 1")
-      ->check(whole_number(0, UINT64_MAX))
-      ->type_name("N")
+  add_value(*app, "--seed", options->seed, "Picks the noise, 0 to 2^64 - 1",
+            whole_number(0, UINT64_MAX), "N")
       ->capture_default_str();
   app->add_flag("--truth", options->truth, "Print the true geometry as JSON");
   app->footer(R"(Examples:

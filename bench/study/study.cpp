@@ -1,6 +1,20 @@
 #include "study/study.hpp"
 
+#include "support/whole_file.hpp"
+
 namespace thinbench {
+
+void check_targets(std::initializer_list<std::string> paths) {
+  for (const std::string& path : paths) {
+    if (!path.empty()) check_target(path);
+  }
+}
+
+void write_if_named(const std::string& path, const std::string& text, std::ostream& err) {
+  if (path.empty()) return;
+  write_whole_file(path, text);
+  err << "wrote " << path << '\n';
+}
 
 const ProgramInfo& study_program() {
   static const ProgramInfo program = {

@@ -7,7 +7,6 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "study/study.hpp"
-#include "support/whole_file.hpp"
 #include "training/cluster.hpp"
 #include "training/two_layer.hpp"
 #include "training/weights_text.hpp"
@@ -44,19 +43,6 @@ struct ClusterOptions {
   std::string out;
   std::string header;
 };
-
-/// Rejects files that could not be written, before the work.
-void check_targets(std::initializer_list<std::string> paths) {
-  for (const std::string& path : paths) {
-    if (!path.empty()) check_target(path);
-  }
-}
-
-void write_if_named(const std::string& path, const std::string& text, std::ostream& err) {
-  if (path.empty()) return;
-  write_whole_file(path, text);
-  err << "wrote " << path << '\n';
-}
 
 std::string summary(const TrainedTwoLayer& trained) {
   return fmt::format(
@@ -110,18 +96,14 @@ Command add_two_layer(CLI::App& train) {
   CLI::App* app = train.add_subcommand(
       "two-layer", "Back-propagation with the sigmoid until all 256 descriptors are right");
   const auto options = std::make_shared<TwoLayerOptions>();
-  app->add_option("--seed", options->training.seed, "Picks the first weights, 0 to 2^64 - 1")
-      ->check(whole_number(0, UINT64_MAX))
-      ->type_name("N")
+  add_value(*app, "--seed", options->training.seed, "Picks the first weights, 0 to 2^64 - 1",
+            whole_number(0, UINT64_MAX), "N")
       ->capture_default_str();
-  app->add_option("--hidden", options->training.hidden, "Hidden neurons, 1 to 64")
-      ->check(whole_number(1, kMaxHidden))
-      ->type_name("N")
+  add_value(*app, "--hidden", options->training.hidden, "Hidden neurons, 1 to 64",
+            whole_number(1, kMaxHidden), "N")
       ->capture_default_str();
-  app->add_option("--max-restarts", options->training.max_restarts,
-                  "Starts with fresh weights, 0 to 10000")
-      ->check(whole_number(0, kMaxRestarts))
-      ->type_name("N")
+  add_value(*app, "--max-restarts", options->training.max_restarts,
+            "Starts with fresh weights, 0 to 10000", whole_number(0, kMaxRestarts), "N")
       ->capture_default_str();
   add_file_option(*app, "--out", options->out, "Write the weights here, as JSON");
   add_file_option(*app, "--markdown", options->markdown, "Write the table here");
@@ -133,9 +115,8 @@ Command add_cluster(CLI::App& train) {
   CLI::App* app = train.add_subcommand(
       "cluster", "Single-layer nets for the longest runs of descriptors that one neuron can learn");
   const auto options = std::make_shared<ClusterOptions>();
-  app->add_option("--max-nets", options->training.max_nets, "Fail if it takes more, 1 to 16")
-      ->check(whole_number(1, kMaxClusterNets))
-      ->type_name("N")
+  add_value(*app, "--max-nets", options->training.max_nets, "Fail if it takes more, 1 to 16",
+            whole_number(1, kMaxClusterNets), "N")
       ->capture_default_str();
   app->add_flag("--integer", options->training.small_integers, "Make the weights small integers");
   add_file_option(*app, "--out", options->out, "Write the weights here, as JSON");

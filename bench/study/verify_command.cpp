@@ -92,11 +92,9 @@ std::vector<Row> chosen_rows(const VerifyOptions& options) {
   std::vector<int> threads = options.threads;
   std::sort(threads.begin(), threads.end());
   threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
-  try {
-    return matching_rows(options.filter, threads, operations_with_peers());
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--filter: ") + error.what());
-  }
+  return checked_usage(
+      [&] { return matching_rows(options.filter, threads, operations_with_peers()); },
+      "--filter: ");
 }
 
 /// What the image takes, in pixels.
@@ -184,11 +182,10 @@ Command add_verify_command(CLI::App& program) {
           ->type_name("FILE")
           ->allow_extra_args(false);
   add_binarise_options(*app, options->binarise, image);
-  app->add_option("--threads", options->threads,
-                  "Threads of threaded rows, 1 to " + std::to_string(kMaxThreads) +
-                      " (repeatable; default: 2 and 7)")
-      ->check(whole_number(1, kMaxThreads))
-      ->type_name("N")
+  add_value(*app, "--threads", options->threads,
+            "Threads of threaded rows, 1 to " + std::to_string(kMaxThreads) +
+                " (repeatable; default: 2 and 7)",
+            whole_number(1, kMaxThreads), "N")
       ->allow_extra_args(false);
   app->add_flag("--quick", options->quick, "Omit the sets that take longest");
   app->footer(R"(Examples:

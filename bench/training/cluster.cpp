@@ -18,11 +18,29 @@ namespace {
 
 constexpr int kMaxEpochs = 1'000'000;
 
+std::int32_t net_input(const IntegerNeuron& neuron, int descriptor) {
+  std::int32_t sum = neuron.bias;
+  for (int i = 0; i < kNetInputs; ++i) {
+    sum += neuron.weight[static_cast<std::size_t>(i)] * neighbour(descriptor, i);
+  }
+  return sum;
+}
+
 void add_vector(IntegerNeuron& neuron, int descriptor, int sign) {
   for (int i = 0; i < kNetInputs; ++i) {
     neuron.weight[static_cast<std::size_t>(i)] += sign * neighbour(descriptor, i);
   }
   neuron.bias += sign;
+}
+
+/// The same numbers in single precision, where they are exact.
+Neuron to_neuron(const IntegerNeuron& neuron) {
+  Neuron result{};
+  for (std::size_t i = 0; i < neuron.weight.size(); ++i) {
+    result.weight[i] = static_cast<float>(neuron.weight[i]);
+  }
+  result.bias = static_cast<float>(neuron.bias);
+  return result;
 }
 
 /// Sets the bias of smallest magnitude with which the weights are correct; nothing if there is
@@ -70,14 +88,6 @@ std::optional<IntegerNeuron> smaller(const IntegerNeuron& neuron, std::int64_t t
 
 }  // namespace
 
-std::int32_t net_input(const IntegerNeuron& neuron, int descriptor) {
-  std::int32_t sum = neuron.bias;
-  for (int i = 0; i < kNetInputs; ++i) {
-    sum += neuron.weight[static_cast<std::size_t>(i)] * neighbour(descriptor, i);
-  }
-  return sum;
-}
-
 bool recognises(const IntegerNeuron& neuron, const KeepTable& table, DescriptorRun run) {
   for (int k = run.first; k <= run.last; ++k) {
     if ((net_input(neuron, k) >= 0) != keeps(table, k)) return false;
@@ -107,15 +117,6 @@ IntegerNeuron shrink(const IntegerNeuron& neuron, const KeepTable& table, Descri
   IntegerNeuron best = neuron;
   while (const auto found = smaller(best, magnitude(best), table, run, 0, kSteps)) best = *found;
   return best;
-}
-
-Neuron to_neuron(const IntegerNeuron& neuron) {
-  Neuron result{};
-  for (std::size_t i = 0; i < neuron.weight.size(); ++i) {
-    result.weight[i] = static_cast<float>(neuron.weight[i]);
-  }
-  result.bias = static_cast<float>(neuron.bias);
-  return result;
 }
 
 namespace {

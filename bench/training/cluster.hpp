@@ -42,8 +42,6 @@ struct IntegerNeuron {
   std::int32_t bias = 0;
 };
 
-[[nodiscard]] std::int32_t net_input(const IntegerNeuron& neuron, int descriptor);
-
 /// Whether the neuron is correct on each descriptor of the run.
 [[nodiscard]] bool recognises(const IntegerNeuron& neuron, const KeepTable& table,
                               DescriptorRun run);
@@ -62,9 +60,6 @@ struct TrainedNeuron {
 /// in up to three weights, the bias following. Small, not necessarily the smallest.
 [[nodiscard]] IntegerNeuron shrink(const IntegerNeuron& neuron, const KeepTable& table,
                                    DescriptorRun run);
-
-/// The same numbers in single precision, where they are exact.
-[[nodiscard]] Neuron to_neuron(const IntegerNeuron& neuron);
 
 struct ClusterTraining {
   int max_nets = kMaxClusterNets;

@@ -81,8 +81,4 @@ std::string table_markdown(const HiddenLayerNet& net) {
   return markdown_table(head, rows);
 }
 
-std::string table_markdown(const TwoLayerWeights& weights) {
-  return table_markdown(to_net(weights));
-}
-
 }  // namespace thinbench

@@ -13,6 +13,5 @@ namespace thinbench {
 
 /// A Markdown table in the layout of Table 1.
 [[nodiscard]] std::string table_markdown(const HiddenLayerNet& net);
-[[nodiscard]] std::string table_markdown(const TwoLayerWeights& weights);
 
 }  // namespace thinbench

@@ -37,6 +37,12 @@ class Claim:
     command: str
 
 
+def judged(claim: str, parts: Sequence[bool], figure: str, holds: str, else_: str, command: str) -> Claim:
+    """With the reason why all parts hold, or else why not."""
+    verdict = Verdict.of(parts)
+    return Claim(claim, verdict, figure, holds if verdict is Verdict.HOLDS else else_, command)
+
+
 def open_claim(claim: str, command: str) -> Claim:
     """One without data."""
     return Claim(claim, Verdict.OPEN, "", "There is no data for it.", command)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import takewhile
 
-from report.claims.claim import Claim, Verdict, open_claim
+from report.claims.claim import Claim, judged, open_claim
 from report.measure.benchmarks import Json
 from report.page.operations import PRINTED_RULE
 
@@ -22,16 +22,13 @@ def operation_counts(data: Json | None) -> Claim:
         return open_claim(claim, "thinbench-study experiment operation-counts")
     rule, nets, cluster = (_counts(data, beginning) for beginning in
                            ("Naccache-Shinghal, four", "Two-layer net", "Cluster"))
-    verdict = Verdict.of([
-        bool(rule) and all((logical, arithmetic) == (40, 3) for _, logical, arithmetic in rule),
-        bool(nets) and all(arithmetic > 150 for _, _, arithmetic in nets),
-        bool(cluster) and all(arithmetic == 39 for _, _, arithmetic in cluster)])
+    parts = [bool(rule) and all((logical, arithmetic) == (40, 3) for _, logical, arithmetic in rule),
+             bool(nets) and all(arithmetic > 150 for _, _, arithmetic in nets),
+             bool(cluster) and all(arithmetic == 39 for _, _, arithmetic in cluster)]
     figure = "; ".join(f"{method}: {logical} logical, {arithmetic} arithmetic"
                        for method, logical, arithmetic in rule + nets + cluster)
-    why = ("The references were run on numbers that count, and give the paper's counts."
-           if verdict is Verdict.HOLDS else
-           "The references were run on numbers that count, and give other counts.")
-    return Claim(claim, verdict, figure, why, data["command"])
+    counted = "The references were run on numbers that count, and give"
+    return judged(claim, parts, figure, f"{counted} the paper's counts.", f"{counted} other counts.", data["command"])
 
 
 def linear_threshold(data: Json | None) -> Claim:
@@ -41,12 +38,10 @@ def linear_threshold(data: Json | None) -> Claim:
         return open_claim(claim, "thinbench-study experiment quantisation")
     total, found = data["descriptors"], data["as_published"]
     right = {"sigmoid": found["right_sigmoid"], "linear threshold": found["right_linear"]}
-    verdict = Verdict.of([all(count == total for count in right.values())])
     figure = ", ".join(f"{name}: {count} of {total}" for name, count in right.items())
-    why = ("Table 1 as published gives the rule's answer to every neighbourhood with both functions."
-           if verdict is Verdict.HOLDS else
-           "Table 1 as published gives a wrong answer to some neighbourhood.")
-    return Claim(claim, verdict, figure, why, data["command"])
+    return judged(claim, [all(count == total for count in right.values())], figure,
+                  "Table 1 as published gives the rule's answer to every neighbourhood with both functions.",
+                  "Table 1 as published gives a wrong answer to some neighbourhood.", data["command"])
 
 
 def twelve_nets(data: Json | None) -> Claim:
@@ -55,9 +50,9 @@ def twelve_nets(data: Json | None) -> Claim:
     if data is None:
         return open_claim(claim, "thinbench-study experiment cluster-runs")
     needed = len(data["rows"])
-    verdict = Verdict.of([needed <= PAPER_NETS])
-    why = f"Descriptors cannot be cut into {'fewer' if verdict is Verdict.HOLDS else 'so few'} runs."
-    return Claim(claim, verdict, f"{needed} nets are needed and enough", why, data["command"])
+    return judged(claim, [needed <= PAPER_NETS], f"{needed} nets are needed and enough",
+                  "Descriptors cannot be cut into fewer runs.", "Descriptors cannot be cut into so few runs.",
+                  data["command"])
 
 
 def eight_hidden_neurons(data: Json | None) -> Claim:
@@ -73,10 +68,9 @@ def eight_hidden_neurons(data: Json | None) -> Claim:
     parts += [f"with {PAPER_HIDDEN}, {learnt[PAPER_HIDDEN]} of {data['seeds']} random starts succeed"] \
         if PAPER_HIDDEN in learnt else []
     parts += [f"with {sure}, all do"] if sure else []
-    verdict = Verdict.of([fewest == PAPER_HIDDEN])
-    why = ("No smaller net learnt the rule." if verdict is Verdict.HOLDS else
-           "Smaller nets can represent the rule; more neurons only make training succeed more often.")
-    return Claim(claim, verdict, "; ".join(parts), why, data["command"])
+    return judged(claim, [fewest == PAPER_HIDDEN], "; ".join(parts), "No smaller net learnt the rule.",
+                  "Smaller nets can represent the rule; more neurons only make training succeed more often.",
+                  data["command"])
 
 
 def reliable_edges(data: Json | None) -> Claim:
@@ -87,15 +81,13 @@ def reliable_edges(data: Json | None) -> Claim:
     rows = data["rows"]
     sigmas = sorted({row["sigma"] for row in rows})
     good = list(takewhile(lambda sigma: all(_is_reliable(r) for r in rows if r["sigma"] == sigma), sigmas))
-    verdict = Verdict.of([sigma in good for sigma in sigmas])
     worst = min(rows, key=lambda row: (row["precision"], row["operation"]))
     where = f"up to sigma {max(good)}" if good else "at no noise"
     figure = (f"precision and recall of every operator are at least {100 * RELIABLE:.0f} % {where}; at sigma "
               f"{worst['sigma']} precision falls to {100 * worst['precision']:.0f} % ({worst['operation']}; "
               f"{100 * worst['precision_without_p2']:.0f} % without P2)")
-    why = ("All operators stand all noise that was tried." if verdict is Verdict.HOLDS else
-           "With fixed thresholds noise exceeds P1, and P2 only rejects what is dark enough.")
-    return Claim(claim, verdict, figure, why, data["command"])
+    return judged(claim, [sigma in good for sigma in sigmas], figure, "All operators stand all noise that was tried.",
+                  "With fixed thresholds noise exceeds P1, and P2 only rejects what is dark enough.", data["command"])
 
 
 def connected_skeleton(data: Json | None) -> Claim:
@@ -104,12 +96,11 @@ def connected_skeleton(data: Json | None) -> Claim:
     rows = [row for row in data["rows"] if row["operation"] == PRINTED_RULE] if data else []
     if data is None or not rows:
         return open_claim(claim, "thinbench-study experiment quality")
-    verdict = Verdict.of([row["objects_before"] == row["objects_after"] for row in rows])
     figure = "; ".join(f"{row['input']}: {row['objects_before']} objects before, "
                        f"{row['objects_after']} after" for row in rows)
-    why = ("There are as many objects as before." if verdict is Verdict.HOLDS else
-           "Both sides of a line are removed at once, so that thin parts break or vanish.")
-    return Claim(claim, verdict, figure, why, data["command"])
+    return judged(claim, [row["objects_before"] == row["objects_after"] for row in rows], figure,
+                  "There are as many objects as before.",
+                  "Both sides of a line are removed at once, so that thin parts break or vanish.", data["command"])
 
 
 def _counts(data: Json, beginning: str) -> list[tuple[str, int, int]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import combinations
 
-from report.claims.claim import Claim, Verdict, open_claim
+from report.claims.claim import Claim, Verdict, judged, open_claim
 from report.formatting import counted, interval, three_digits
 from report.measure.estimates import Estimate
 from report.measure.benchmarks import Json
@@ -48,12 +48,10 @@ def order_of_table_two(rows: Rows) -> Claim:
         return open_claim(claim, COMMAND)
     scalar = _pairs_in_order([(paper, reference) for paper, reference, _ in known])
     now = _pairs_in_order([(paper, best) for paper, _, best in known])
-    verdict = Verdict.of([*scalar, *now])
     figure = (f"of {len(scalar)} pairs of methods {sum(scalar)} keep the paper's order when references are "
               f"timed, and {sum(now)} when the fastest variants are")
-    why = ("The order is still the paper's." if verdict is Verdict.HOLDS else
-           "Which method is faster depends on what its form lets the processor do at once.")
-    return Claim(claim, verdict, figure, why, COMMAND)
+    return judged(claim, [*scalar, *now], figure, "The order is still the paper's.",
+                  "Which method is faster depends on what its form lets the processor do at once.", COMMAND)
 
 
 def nets_do_not_pay(rows: Rows) -> Claim:
@@ -110,13 +108,11 @@ def bytes_are_faster(rows: Rows) -> Claim:
                       _fastest(rows, (PRINTED_RULE,), BITS))
     if not (scalar and best):
         return open_claim(claim, COMMAND)
-    verdict = Verdict.of([scalar.high < 1, best.high < 1])
     figure = (f"time with bytes over time with bits, packing and unpacking included: {_text(scalar)} "
               f"by scalar variants, {_text(best)} with the widest instructions")
-    why = ("Packing costs more than it gains." if verdict is Verdict.HOLDS else
-           "A word of packed pixels takes as many instructions as a single pixel would, and "
-           "packing costs little beside it.")
-    return Claim(claim, verdict, figure, why, COMMAND)
+    return judged(claim, [scalar.high < 1, best.high < 1], figure, "Packing costs more than it gains.",
+                  "A word of packed pixels takes as many instructions as a single pixel would, and "
+                  "packing costs little beside it.", COMMAND)
 
 
 def _fastest(rows: Rows, cases: Iterable[str], techniques: Iterable[str]) -> Row | None:

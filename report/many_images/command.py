@@ -17,7 +17,7 @@ from report.errors import ReportError
 from report.files import check_directory, write_file
 from report.git import commit_name
 from report.measure.command import RESULTS, default_directory
-from report.measure.run import machine_facts
+from report.measure.machine import machine_facts
 from report.row_options import positive
 
 EPILOG = """examples:

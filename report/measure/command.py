@@ -12,6 +12,7 @@ from report.errors import ReportError
 from report.measure.benchmarks import Benchmarks, Json
 from report.measure.estimates import NEEDED_PROCESSES
 from report.measure.measurement import UNFINISHED, Measurement, Part
+from report.measure.run import Run, write_run
 from report.row_options import positive
 
 RESULTS = ROOT / "results"
@@ -51,16 +52,27 @@ def run_directory(options: argparse.Namespace, machine: Json, below: str = "") -
     return found[-1].parent
 
 
-def measure_parts(benchmarks: Benchmarks, directory: Path, chosen: Json, machine: Json, options: argparse.Namespace,
-                  make: Callable[[], list[Part]]) -> tuple[Measurement, bool]:
-    """A new measurement, or with --resume the interrupted one, and whether it came to its end. `chosen` are the
-    options that must be the same then. Raises KeyboardInterrupt where not every part was measured."""
+def add_part_options(parser: argparse.ArgumentParser, seconds: int, quick: int, below: str) -> None:
+    """The same and --out, of a command that writes into a directory below that of a run."""
+    add_time_options(parser, seconds, quick)
+    parser.add_argument("--out", metavar="DIR", type=Path,
+                        help=f"directory of a run, which gets a directory {below}; default "
+                             "results/<machine>/<date>-<commit>")
+
+
+def measure_run(benchmarks: Benchmarks, chosen: Json, machine: Json, options: argparse.Namespace,
+                make: Callable[[], list[Part]], below: str = "") -> tuple[Run, Measurement, bool]:
+    """Writes the run of a new measurement, or with --resume of the interrupted one. Returns whether it came to its end,
+    too. `chosen` are the options that must be the same then. Raises KeyboardInterrupt where not every part was
+    measured."""
+    directory = run_directory(options, machine, below)
     key = chosen | {"commit": machine["commit"], "machine": machine["fingerprint"]}
     measurement = Measurement.resume(directory, key) if options.resume else Measurement.begin(directory, key, make)
     complete = measurement.run(benchmarks, budget_of(options))
     if not all(part.tables for part in measurement.parts):
         raise KeyboardInterrupt
-    return measurement, complete
+    name = f"{directory.resolve().parent.name}/{below}" if below else ""
+    return write_run(directory, machine, chosen, measurement.parts, name), measurement, complete
 
 
 def finished(measurement: Measurement, complete: bool, text: str) -> tuple[str, int]:

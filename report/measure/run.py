@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import lzma
-import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +11,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from report.errors import ReportError
 from report.files import read_json, to_json, write_files
 from report.measure.benchmarks import Json, groups_of
 from report.measure.controls import control_of
@@ -35,7 +32,7 @@ class Run:
 
     @property
     def machine(self) -> Json:
-        """As `thinbench_benchmarks --machine` describes it, build included."""
+        """As report.measure.machine describes it, build included."""
         machine: Json = self.facts["machine"]
         return machine
 
@@ -45,15 +42,6 @@ def load_run(directory: Path) -> Run:
     facts = read_json(directory / RUN)
     check_schema("run", facts, str(directory / RUN))
     return Run(directory, facts, read_csv(directory / TIMINGS))
-
-
-def machine_facts(program: Path, commit: str) -> Json:
-    """What the measurements depend on, told by thinbench_benchmarks."""
-    done = subprocess.run([program, "--machine"], check=False, text=True, stdout=subprocess.PIPE)
-    if done.returncode != 0:
-        raise ReportError("the machine could not be described; see the line above")
-    facts: Json = json.loads(done.stdout)
-    return facts | {"commit": commit}
 
 
 def write_run(directory: Path, machine: Json, options: Json, parts: Sequence[Part], name: str = "") -> Run:

@@ -7,11 +7,13 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import UnionType
 from typing import Any, get_args, get_type_hints
+
+import pandas as pd
 
 from report.errors import ReportError
 from report.files import read_bytes
@@ -82,6 +84,10 @@ class Row:  # pylint: disable=too-many-instance-attributes
         return self.default and self.threads == 1 and self.scope == END_TO_END
 
 
+_TYPES = get_type_hints(Row)
+"""By column."""
+
+
 @dataclass(frozen=True)
 class Origin:
     """Where rows come from: columns that all rows of a run share."""
@@ -142,12 +148,9 @@ def row_ratio(above: Row, below: Row) -> Estimate:
 
 def to_csv(rows: Iterable[Row]) -> str:
     """The header and one line for each row; empty where there is no value."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    names = [field.name for field in fields(Row)]
-    writer.writerow(names)
-    writer.writerows([_text(getattr(row, name)) for name in names] for row in rows)
-    return stream.getvalue()
+    table = pd.DataFrame([vars(row) for row in rows], columns=list(_TYPES))
+    whole = {name: "Int64" for name, kind in _TYPES.items() if kind in (bool, int | None)}
+    return str(table.astype(whole).to_csv(index=False, float_format="%.6g", lineterminator="\n"))
 
 
 def read_csv(path: Path) -> list[Row]:
@@ -160,23 +163,12 @@ def read_csv(path: Path) -> list[Row]:
     return [_row_from(line, f"{path}: line {number}") for number, line in enumerate(lines, 2)]
 
 
-def _text(value: Any) -> str:
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return str(int(value))
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
-
-
-_TYPES = get_type_hints(Row)
-
-
 def _row_from(line: dict[str, str | None], where: str) -> Row:
-    missing = next((field.name for field in fields(Row) if line.get(field.name) is None), None)
+    missing = next((name for name in _TYPES if line.get(name) is None), None)
     if missing:
         raise ReportError(f"{where}: column {missing!r} is missing")
     try:
-        row = Row(**{field.name: _value(line[field.name] or "", _TYPES[field.name]) for field in fields(Row)})
+        row = Row(**{name: _value(line[name] or "", kind) for name, kind in _TYPES.items()})
     except (TypeError, ValueError) as error:
         raise ReportError(f"{where}: {error}") from None
     if not 0 < row.time_ns <= row.high_ns < math.inf:

@@ -10,7 +10,7 @@ from report.formatting import NOTHING
 from report.measure.timings import END_TO_END, Row
 from report.page.operations import Rows, fastest, is_square, label, place, title
 from report.sweeps.plans import BY_NAME
-from report.sweeps.series import Series, sweep_series
+from report.sweeps.series import Series, lines_of, places_of, sweep_series
 
 Curve = dict[str, Any]
 
@@ -26,18 +26,14 @@ class Chart:
 
     @property
     def places(self) -> list[Any]:
-        """All places on the axis; names stay in their order."""
-        found = list(dict.fromkeys(point[0] for curve in self.curves for point in curve["points"]))
-        return found if any(isinstance(one, str) for one in found) else sorted(found)
+        """All places on the axis."""
+        return places_of([point[0] for point in curve["points"]] for curve in self.curves)
 
     @property
     def table(self) -> list[list[str]]:
         """A line for each place, a cell for each curve."""
-        points = [{point[0]: f"{point[1]:.3g}{' !' if point[3] else ''}" for point in curve["points"]}
-                  for curve in self.curves]
-        return [[one if isinstance(one, str) else f"{one:g}",
-                 *(curve.get(one, NOTHING) for curve in points)]
-                for one in self.places]
+        return lines_of([{point[0]: f"{point[1]:.3g}{' !' if point[3] else ''}" for point in curve["points"]}
+                         for curve in self.curves], NOTHING)
 
 
 def chart_groups(rows: Rows, sweeps: Iterable[Row]) -> dict[str, list[Chart]]:

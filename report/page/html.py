@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment
 from markupsafe import Markup, escape
 
 from report.claims import Claim
 from report.errors import ReportError
-from report.formatting import counted, duration, flag_text, interval, times, variant
+from report.formatting import counted, duration, flag_text, interval, templates, times, variant
 from report.page.charts import chart_groups
 from report.page.families import FAMILIES
 from report.page.operations import Headline, Rows, peer_title
@@ -23,7 +23,6 @@ from report.sweeps.series import load_sweep_rows
 
 CHART_JS = Path("/usr/share/javascript/chart.js/chart.min.js")
 NO_BREAK = "\N{NO-BREAK SPACE}"
-TEMPLATES = Path(__file__).parent / "templates"
 FILES = ("timings.csv", "timings.md", "claims.md", "overview.svg")
 
 
@@ -54,8 +53,7 @@ def chart_js(path: Path = CHART_JS) -> str:
 
 
 def _environment() -> Environment:
-    environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
-                              undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment = templates(Path(__file__).parent)
     environment.filters |= {"duration": duration, "times": times, "variant": variant,
                             "flag": flag_text}
     environment.globals |= {"interval": interval, "counted": counted}

@@ -14,7 +14,7 @@ from report.files import to_json, write_file, write_files
 from report.git import commit_name, git, is_clean
 from report.measure.benchmarks import Benchmarks, Json
 from report.measure.measurement import measured
-from report.measure.run import machine_facts
+from report.measure.machine import machine_facts
 from report.regress import counts, output, self_test, stored, times
 from report.regress.machine_code import same_isas
 from report.regress.verdicts import EXIT_STATUS, WRONG_USAGE, Layer, Verdict, exit_status

@@ -18,7 +18,7 @@ import pandas as pd
 
 from report.measure.benchmarks import AGAIN, SLOWED, Benchmarks, Json
 from report.measure.measurement import measured
-from report.measure.run import machine_facts
+from report.measure.machine import machine_facts
 from report.regress import builds, stored, times
 from report.regress.builds import Pair
 from report.regress.verdicts import EXIT_STATUS, MAX_ROUNDS, RowVerdict, Verdict, decide, overall

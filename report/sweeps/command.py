@@ -9,9 +9,10 @@ from report.building import BENCHMARKS, build
 from report.files import check_directory, write_file
 from report.git import commit_name
 from report.measure.benchmarks import Benchmarks
-from report.measure.command import RESULTS, add_time_options, budget_of, finished, measure_parts, run_directory
+from report.measure.command import RESULTS, add_part_options, budget_of, finished, measure_run
+from report.measure.machine import machine_facts
 from report.measure.measurement import Part
-from report.measure.run import RUN, SAMPLES, TIMINGS, Run, machine_facts, write_run
+from report.measure.run import RUN, SAMPLES, TIMINGS, Run
 from report.measure.timings import read_csv
 from report.sweeps.plans import BY_NAME, SWEEPS, plan_words
 from report.sweeps.series import DIRECTORY, sweep_series, sweeps_markdown
@@ -37,10 +38,7 @@ def add_sweeps_command(parser: argparse.ArgumentParser) -> None:
                         help="smaller images, coarser steps: half a minute instead of five")
     parser.add_argument("--only", metavar="NAME", choices=list(BY_NAME), action="append",
                         default=[], help=f"this sweep: {', '.join(BY_NAME)}; repeatable")
-    add_time_options(parser, 300, 30)
-    parser.add_argument("--out", metavar="DIR", type=Path,
-                        help=f"directory of a run, which gets a directory {DIRECTORY}; default "
-                             "results/<machine>/<date>-<commit>")
+    add_part_options(parser, 300, 30, DIRECTORY)
 
 
 def run_sweeps(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> tuple[str, int]:
@@ -48,14 +46,12 @@ def run_sweeps(_parser: argparse.ArgumentParser, options: argparse.Namespace) ->
     check_directory(options.out or RESULTS)
     programs = build("release", BENCHMARKS)
     machine = machine_facts(programs / "thinbench_benchmarks", commit_name())
-    directory = run_directory(options, machine, DIRECTORY)
     chosen = {"quick": options.quick, "sweeps": list(dict.fromkeys(options.only)) or list(BY_NAME),
               "seconds": budget_of(options)}
     benchmarks = Benchmarks(programs / "thinbench_benchmarks")
-    measurement, complete = measure_parts(
-        benchmarks, directory, chosen, machine, options,
-        lambda: [_part(benchmarks, name, options.quick, machine["cores"]) for name in chosen["sweeps"]])
-    run = write_run(directory, machine, chosen, measurement.parts, f"{directory.resolve().parent.name}/{DIRECTORY}")
+    run, measurement, complete = measure_run(
+        benchmarks, chosen, machine, options,
+        lambda: [_part(benchmarks, name, options.quick, machine["cores"]) for name in chosen["sweeps"]], DIRECTORY)
     return finished(measurement, complete, _summary(run))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -99,17 +99,19 @@ def _ordered(points: list[Point]) -> list[Point]:
 
 
 def _table(what: str, curves: list[Series]) -> str:
-    places = list(dict.fromkeys(point.x for one in curves for point in one.points))
-    if not any(isinstance(place, str) for place in places):
-        places.sort()
-    cells = [{point.x: point for point in one.points} for one in curves]
-    lines = [[place if isinstance(place, str) else f"{place:g}", *(_cell(points.get(place)) for points in cells)]
-             for place in places]
+    lines = lines_of([{point.x: f"{point.ns_per_pixel:.3g}{' !' if point.flags else ''}" for point in one.points}
+                      for one in curves])
     table = markdown_table(["", *(one.label for one in curves)], lines, frozenset(range(1, len(curves) + 1)))
     return f"**{curves[0].case}** by {what}\n\n{table}"
 
 
-def _cell(point: Point | None) -> str:
-    if point is None:
-        return ""
-    return f"{point.ns_per_pixel:.3g}{' !' if point.flags else ''}"
+def places_of(curves: Iterable[Iterable[Place]]) -> list[Place]:
+    """All places on the axis; names stay in their order."""
+    found = list(dict.fromkeys(place for curve in curves for place in curve))
+    return found if any(isinstance(place, str) for place in found) else sorted(found)
+
+
+def lines_of(curves: Sequence[Mapping[Place, str]], missing: str = "") -> list[list[str]]:
+    """A line for each place, a cell for each curve."""
+    return [[place if isinstance(place, str) else f"{place:g}", *(curve.get(place, missing) for curve in curves)]
+            for place in places_of(curves)]

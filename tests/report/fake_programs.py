@@ -98,7 +98,8 @@ def lines_of(facts: Json, dice: random.Random, noise: Noise = Noise()) -> Iterat
 
 def _benchmarks(compiler: str, words: list[str]) -> int:
     if "--machine" in words:
-        print(json.dumps(machine_of(compiler)))
+        build = {name: MACHINE[name] for name in ("compiler", "libraries", "isa_available", "isa_cap")}
+        print(json.dumps(build | {"compiler": MACHINE["compiler"] | {"id": compiler}}))
         return 0
     given = dict(zip(words, words[1:]))
     if "--facts" in given:
@@ -122,12 +123,6 @@ def install(directory: Path, compiler: str = "GNU") -> Path:
                            f'"{__file__}" {name} {compiler} "$@"\n')
         program.chmod(0o755)
     return directory
-
-
-def machine_of(compiler: str) -> Json:
-    """Each compiler makes another fingerprint."""
-    return MACHINE | {"fingerprint": f"intel-6-143-8-{len(compiler):08x}",
-                      "compiler": MACHINE["compiler"] | {"id": compiler}}
 
 
 if __name__ == "__main__":

@@ -129,8 +129,8 @@ def test_rows_survive_the_csv_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize("time", ["0", "-1", "nan", "inf"])
 def test_a_table_with_impossible_times_or_a_truncated_line_is_rejected(tmp_path: Path, time: str) -> None:
     path = tmp_path / "timings.csv"
-    published = replace(rows(samples_of())[0], time_ns=float(time))
-    path.write_text(to_csv([published]))
+    published = replace(rows(samples_of())[0], time_ns=1.2345)
+    path.write_text(to_csv([published]).replace("1.2345", time))
     with pytest.raises(ReportError, match="line 2: expected times above 0, got time_ns"):
         read_csv(path)
     path.write_text(to_csv(rows(samples_of())[:1]).rstrip().rpartition(",")[0] + "\n")

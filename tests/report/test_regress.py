@@ -12,13 +12,14 @@ from typing import Any
 import pandas as pd
 import pytest
 from conftest import make_samples
-from fake_programs import MACHINE, Noise, install, machine_of, make_facts
+from fake_programs import MACHINE, Noise, install, make_facts
 from junitparser import JUnitXml
 
 from report.__main__ import main
 from report.errors import ReportError
 from report.measure.benchmarks import Benchmarks, Json
 from report.measure.estimates import Estimate
+from report.measure.machine import machine_facts
 from report.regress import builds, command, output, self_test, stored
 from report.regress.verdicts import (Layer, RowVerdict, Verdict, decide, exit_status, judge,
                                      layer_of, skipped)
@@ -329,11 +330,15 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, **changes: object) -> t
                                lambda _root, _targets: programs)
 
 
+def baseline_name(tmp_path: Path) -> str:
+    return f"{machine_facts(install(tmp_path / 'bin') / 'thinbench_benchmarks', '')['fingerprint']}.json"
+
+
 def test_the_command_writes_a_baseline_and_compares_with_it(
         tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text, status = run(tmp_path, monkeypatch)
     assert status == 4 and "there is no baseline" in text
-    name = f"{machine_of('GNU')['fingerprint']}.json"
+    name = baseline_name(tmp_path)
     assert run(tmp_path, monkeypatch, update=True, reason="first")[1] == 0
     assert [path.name for path in (tmp_path / "baselines").iterdir()] == [name]
     text, status = run(tmp_path, monkeypatch, junit=tmp_path / "regress.xml")
@@ -351,7 +356,7 @@ def test_a_busy_machine_makes_no_baseline(tmp_path: Path,
 
 
 def test_errors_are_no_verdict(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    name = f"{machine_of('GNU')['fingerprint']}.json"
+    name = baseline_name(tmp_path)
     (tmp_path / "baselines").mkdir()
     (tmp_path / "baselines" / name).write_text("{}")
     with pytest.raises(ReportError, match="regress: .*is a required property") as error:

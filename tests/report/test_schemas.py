@@ -30,7 +30,7 @@ def test_the_field_that_is_wrong_is_named() -> None:
 
 @pytest.mark.skipif(not (PROGRAMS / "thinbench-study").exists(), reason=f"no programs in {PROGRAMS}")
 @pytest.mark.parametrize("schema, command", [
-    ("machine", "thinbench_benchmarks --machine"), ("variants", "thinbench-study list --json"),
+    ("variants", "thinbench-study list --json"),
     ("counts", "thinbench-study instructions --filter ^euler_number/bitpacked/baseline/1/ --out out"),
     ("weights", "thinbench-study train cluster --out out"),
     ("weights", "thinbench-study train two-layer --seed 2 --out out"),

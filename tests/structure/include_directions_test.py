@@ -43,20 +43,19 @@ KERNELS |= {"api": PRODUCT, "techniques": PRODUCT}
 # The directories of tools/ and bench/ that each of theirs may include besides itself.
 FILES = {"tools/support", "tools/rules", "tools/images"}
 ROWS = {"tools/support", "bench/harness"}
-MEASURE = FILES | ROWS | {"tools/cli", "bench/machine", "bench/peers", "bench/scene"}
+MEASURE = FILES | ROWS | {"tools/cli", "bench/peers", "bench/scene"}
 PROGRAMS = {
     "tools/support": set(),
     "tools/rules": {"tools/support"},
     "tools/images": {"tools/support"},
     "tools/batch": {"tools/support", "tools/images"},
     "tools/cli": FILES | {"tools/batch"},
-    "bench/machine": set(),
     "bench/harness": {"tools/support"},
     "bench/peers": ROWS,
     "bench/scene": ROWS,
     "bench/training": ROWS | {"tools/rules"},
     "bench/measure": MEASURE,
-    "bench/counts": ROWS | {"bench/machine", "bench/measure"},
+    "bench/counts": ROWS | {"bench/measure"},
     "bench/experiments": FILES | ROWS | {"bench/scene", "bench/training"},
     "bench/study": MEASURE | {"bench/counts", "bench/experiments", "bench/measure", "bench/training"},
 }

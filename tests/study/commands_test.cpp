@@ -58,7 +58,7 @@ TEST_F(Study, train_two_layer_prints_epochs_and_restarts_and_writes_both_files) 
       "Correct on 256 of 256 descriptors with the sigmoid and 256 with the linear threshold, after "
       "289 epochs and 0 restarts");
   const auto weights = std::get<TwoLayerWeights>(read_weights("weights.json"));
-  EXPECT_EQ(table_markdown(weights), bytes_of("weights.md"));
+  EXPECT_EQ(table_markdown(to_net(weights)), bytes_of("weights.md"));
   expect_holds(bytes_of("weights.json"),
                "\"made_by\": \"thinbench-study train two-layer --seed 2\"");
 }

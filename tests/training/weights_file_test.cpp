@@ -135,7 +135,7 @@ TEST(WeightsFile, what_is_not_json_is_rejected_with_the_place) {
 }
 
 TEST(WeightsFile, table_has_the_layout_of_table_1) {
-  const std::string table = table_markdown(kPaperTwoLayer);
+  const std::string table = table_markdown(to_net(kPaperTwoLayer));
   EXPECT_EQ(table.find("|  | W0 | W1 | W2 | W3 | W4 | W5 | W6 | W7 | B |\n"), 0U);
   EXPECT_NE(
       table.find("| Hid0 | 7.18 | 0.56 | 2.16 | -3.48 | 13.69 | -3.62 | 2.02 | 0.54 | -6.25 |\n"),

@@ -63,26 +63,6 @@ CLI::Validator real_number(double lowest, double highest) {
   return number_in(lowest, highest, number_range("a number", lowest, highest));
 }
 
-CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
-                          const std::vector<std::string_view>& words) {
-  const std::string what =
-      number_range("an integer", lowest, highest) + " or '" + enumeration(words, "' or '") + "'";
-  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
-    const bool is_word = std::find(words.begin(), words.end(), text) != words.end();
-    return is_word ? std::string() : number(text);
-  };
-  return {check, ""};
-}
-
-CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest) {
-  const std::string what = number_range("an odd integer", lowest, highest);
-  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
-    const std::string wrong = number(text);
-    return wrong.empty() && text.back() % 2 == 0 ? expected(what, text) : wrong;
-  };
-  return {check, ""};
-}
-
 CLI::Validator one_of(const std::vector<std::string_view>& names) {
   const auto check = [names](std::string& text) {
     const bool known = std::find(names.begin(), names.end(), text) != names.end();
@@ -116,19 +96,18 @@ CLI::Validator file_name() {
 
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::string& path,
                              const std::string& what, const CLI::Validator& check) {
-  return app.add_option(name, path, what)->check(check)->type_name("FILE");
+  return add_value(app, name, path, what, check, "FILE");
 }
 
 void add_input(CLI::App& app, std::string& in) {
-  app.add_option("IN", in, "Image to read; - reads standard input")->required()->type_name("");
+  add_argument(app, "IN", in, "Image to read; - reads standard input");
 }
 
 void add_overlay_option(CLI::App& app, std::string& path) {
-  app.add_option("--overlay", path,
-                 "Image to write, with all that was found drawn on it: .svg, .png, .bmp, .tif, or "
-                 "- for PNG on standard output")
-      ->check(not_empty())
-      ->type_name("OUT");
+  add_value(app, "--overlay", path,
+            "Image to write, with all that was found drawn on it: .svg, .png, .bmp, .tif, or "
+            "- for PNG on standard output",
+            not_empty(), "OUT");
 }
 
 void check_outputs(const std::vector<std::string>& inputs,
@@ -178,21 +157,39 @@ void check_sides(const std::string& file, Index width, Index height) {
 }
 
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
-  app.add_option_function<std::string>(
-         "--isa", [&isa](const std::string& name) { isa = isa_named(name); },
-         "Highest instruction set to use (default: all)")
-      ->check(not_empty())
-      ->type_name("NAME");
+  add_value(
+      app, "--isa", [&isa](const std::string& name) { isa = isa_named(name); },
+      "Highest instruction set to use (default: all)", not_empty(), "NAME");
 }
 
 void add_threads_option(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "Number of threads, 1 to " + std::to_string(kMaxThreads))
-      ->check(whole_number(1, kMaxThreads))
-      ->type_name("N")
+  add_value(app, "--threads", threads, "Number of threads, 1 to " + std::to_string(kMaxThreads),
+            whole_number(1, kMaxThreads), "N")
       ->capture_default_str();
 }
 
 namespace {
+
+/// An integer in this range or, instead, one of the words.
+CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
+                          const std::vector<std::string_view>& words) {
+  const std::string what =
+      number_range("an integer", lowest, highest) + " or '" + enumeration(words, "' or '") + "'";
+  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
+    const bool is_word = std::find(words.begin(), words.end(), text) != words.end();
+    return is_word ? std::string() : number(text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest) {
+  const std::string what = number_range("an odd integer", lowest, highest);
+  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
+    const std::string wrong = number(text);
+    return wrong.empty() && text.back() % 2 == 0 ? expected(what, text) : wrong;
+  };
+  return {check, ""};
+}
 
 constexpr const char* kOtsu = "otsu";
 constexpr const char* kLocal = "local";
@@ -203,11 +200,10 @@ void add_foreground(CLI::App& app, Foreground& foreground) {
   const auto set = [&foreground](const std::string& name) {
     foreground = foreground_from_name(name).value();
   };
-  app.add_option_function<std::string>("--foreground", set,
-                                       "Which pixels are foreground: auto takes the class that "
-                                       "covers less of the image border")
-      ->check(one_of(names))
-      ->type_name("bright|dark|auto")
+  add_value(app, "--foreground", set,
+            "Which pixels are foreground: auto takes the class that "
+            "covers less of the image border",
+            one_of(names), "bright|dark|auto")
       ->default_str(std::string(names.front()));
 }
 
@@ -218,14 +214,12 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
     if (text == kLocal) options.local.emplace();
     if (text != kLocal && text != kOtsu) options.threshold = std::stoi(text);
   };
-  return app
-      .add_option_function<std::string>(
-          "--threshold", set,
-          "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that "
-          "separates the two classes "
-          "best; local: for uneven light, the mean of the window around each pixel")
-      ->check(integer_or(0, kMaxLevel, {kOtsu, kLocal}))
-      ->type_name("N|otsu|local")
+  return add_value(
+             app, "--threshold", set,
+             "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that "
+             "separates the two classes "
+             "best; local: for uneven light, the mean of the window around each pixel",
+             integer_or(0, kMaxLevel, {kOtsu, kLocal}), "N|otsu|local")
       ->default_str(kOtsu);
 }
 
@@ -241,18 +235,15 @@ void add_local(CLI::App& app, BinariseOptions& options, const CLI::Option* thres
       if (member == &LocalThreshold::offset) options.has_offset = true;
     };
   };
-  app.add_option_function<std::string>(
-         "--window", set("--window", &LocalThreshold::window),
-         "Side of the window, odd, 3 to 65535 (default: an eighth of the "
-         "smaller side, at least 15)")
-      ->check(odd_number(3, 65535))
-      ->type_name("N");
-  app.add_option_function<std::string>("--offset", set("--offset", &LocalThreshold::offset),
-                                       "How far foreground is above or below the mean, 0 to "
-                                       "65535 (default: 10, of 16 bits as "
-                                       "large a share of their range)")
-      ->check(whole_number(0, kMaxLevel))
-      ->type_name("N");
+  add_value(app, "--window", set("--window", &LocalThreshold::window),
+            "Side of the window, odd, 3 to 65535 (default: an eighth of the "
+            "smaller side, at least 15)",
+            odd_number(3, 65535), "N");
+  add_value(app, "--offset", set("--offset", &LocalThreshold::offset),
+            "How far foreground is above or below the mean, 0 to "
+            "65535 (default: 10, of 16 bits as "
+            "large a share of their range)",
+            whole_number(0, kMaxLevel), "N");
 }
 
 constexpr const char* kOpacity = "alpha";
@@ -264,11 +255,10 @@ void add_channel(CLI::App& app, GreyChoice& choice) {
     if (!choice.opacity) choice.channel = channel_from_name(name).value();
   };
   names.emplace_back(kOpacity);
-  app.add_option_function<std::string>("--channel", set,
-                                       "What becomes the grey level of a colour; auto: what "
-                                       "separates the two classes best; alpha: the opacity")
-      ->check(one_of(names))
-      ->type_name("grey|red|green|blue|saturation|value|auto|alpha")
+  add_value(app, "--channel", set,
+            "What becomes the grey level of a colour; auto: what "
+            "separates the two classes best; alpha: the opacity",
+            one_of(names), "grey|red|green|blue|saturation|value|auto|alpha")
       ->default_str(std::string(names.front()));
 }
 
@@ -276,12 +266,11 @@ void add_background(CLI::App& app, std::optional<Backdrop>& backdrop) {
   const auto set = [&backdrop](const std::string& name) {
     backdrop = name == "white" ? Backdrop::white : Backdrop::black;
   };
-  app.add_option_function<std::string>(
-         "--background", set,
-         "What shows through where an image is transparent (default: the colours stored there, of "
-         "TIFF black)")
-      ->check(one_of({"white", "black"}))
-      ->type_name("white|black");
+  add_value(
+      app, "--background", set,
+      "What shows through where an image is transparent (default: the colours stored there, of "
+      "TIFF black)",
+      one_of({"white", "black"}), "white|black");
 }
 
 /// From "10,20,300x200".
@@ -302,11 +291,10 @@ void add_crop(CLI::App& app, Crop& crop) {
 }
 
 void add_blur(CLI::App& app, double& sigma) {
-  app.add_option("--blur", sigma,
-                 "Smooth grey levels first, by a Gaussian filter of this standard deviation in "
-                 "pixels, 0 to 100")
-      ->check(real_number(0, 100))
-      ->type_name("SIGMA");
+  add_value(app, "--blur", sigma,
+            "Smooth grey levels first, by a Gaussian filter of this standard deviation in "
+            "pixels, 0 to 100",
+            real_number(0, 100), "SIGMA");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -20,12 +21,6 @@ namespace thinbench {
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest);
 
 [[nodiscard]] CLI::Validator real_number(double lowest, double highest);
-
-/// An integer in this range or, instead, one of the words.
-[[nodiscard]] CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
-                                        const std::vector<std::string_view>& words);
-
-[[nodiscard]] CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest);
 
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string_view>& names);
 
@@ -65,6 +60,25 @@ void check_replaced(const FileBytes& in, const std::string& out);
 /// Throws FileError where distances, which graphs need, too, cannot be found in an image of this
 /// size.
 void check_sides(const std::string& file, Index width, Index height);
+
+/// An option whose values fulfil the check, for a variable or a function that takes its text. Help
+/// calls them `type`.
+template <class Value>
+CLI::Option* add_value(CLI::App& app, const std::string& name, Value&& value,
+                       const std::string& what, const CLI::Validator& check,
+                       const std::string& type) {
+  if constexpr (std::is_invocable_v<Value, const std::string&>) {
+    return app.add_option_function<std::string>(name, value, what)->check(check)->type_name(type);
+  } else {
+    return app.add_option(name, value, what)->check(check)->type_name(type);
+  }
+}
+
+/// An argument that must be given.
+template <class Value>
+void add_argument(CLI::App& app, const std::string& name, Value& value, const std::string& what) {
+  app.add_option(name, value, what)->required()->type_name("");
+}
 
 /// The name of a file, which fulfils the check.
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::string& path,

@@ -189,34 +189,28 @@ int run(const BatchOptions& options, const Console& console) {
 }
 
 void add_input_options(CLI::App& app, BatchOptions& options) {
-  app.add_option("IN", options.inputs.in,
-                 "Image files, directories, quoted patterns such as 'scans/*.png', or - for a list "
-                 "on standard input")
-      ->required()
-      ->type_name("");
+  add_argument(app, "IN", options.inputs.in,
+               "Image files, directories, quoted patterns such as 'scans/*.png', or - for a list "
+               "on standard input");
   app.add_flag("--recursive", options.inputs.recursive,
                "Search the directories in directories, too");
   app.add_flag("--null", options.inputs.null_separated,
                "The list has a NUL after each path instead of a newline, as from find -print0");
-  app.add_option("--shard", options.shard, "Do the I-th of N parts, for several runs at once")
-      ->check(not_empty())
-      ->type_name("I/N");
+  add_value(app, "--shard", options.shard, "Do the I-th of N parts, for several runs at once",
+            not_empty(), "I/N");
 }
 
 void add_output_options(CLI::App& app, BatchOptions& options) {
-  app.add_option("--out", options.settings.out, "Directory of the results, made if need be")
-      ->required()
-      ->check(not_empty())
-      ->type_name("DIR");
-  app.add_option("--format", options.operation.format, "Format of images")
-      ->check(one_of({"png", "tiff", "pgm", "pbm"}))
-      ->type_name("png|tiff|pgm|pbm")
+  add_value(app, "--out", options.settings.out, "Directory of the results, made if need be",
+            not_empty(), "DIR")
+      ->required();
+  add_value(app, "--format", options.operation.format, "Format of images",
+            one_of({"png", "tiff", "pgm", "pbm"}), "png|tiff|pgm|pbm")
       ->default_str("png");
-  app.add_option("--overlay", options.operation.overlay,
-                 "Also DIR/NAME.svg or .png for each image: what was found, drawn on it (holes, "
-                 "localise, graph)")
-      ->check(one_of({"svg", "png"}))
-      ->type_name("svg|png");
+  add_value(app, "--overlay", options.operation.overlay,
+            "Also DIR/NAME.svg or .png for each image: what was found, drawn on it (holes, "
+            "localise, graph)",
+            one_of({"svg", "png"}), "svg|png");
   add_file_option(app, "--table", options.operation.table,
                   "One table of what was found in all images, .csv or .jsonl (holes, localise, "
                   "graph)",
@@ -225,12 +219,11 @@ void add_output_options(CLI::App& app, BatchOptions& options) {
                   "A line for each image, .csv or .jsonl (default: DIR/manifest.csv)");
   app.add_flag("--resume", options.resume,
                "Skip what the manifest says is done and whose result exists");
-  app.add_option_function<std::string>(
-         "--on-error",
-         [&options](const std::string& word) { options.settings.stops_on_error = word == "stop"; },
-         "After a failure: continue with the other images, or stop")
-      ->check(one_of({"continue", "stop"}))
-      ->type_name("continue|stop")
+  add_value(
+      app, "--on-error",
+      [&options](const std::string& word) { options.settings.stops_on_error = word == "stop"; },
+      "After a failure: continue with the other images, or stop", one_of({"continue", "stop"}),
+      "continue|stop")
       ->default_str("continue");
 }
 
@@ -257,10 +250,8 @@ Command add_batch_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("batch", "Do one operation on many image files");
   const auto options = std::make_shared<BatchOptions>();
   BatchOperationRequest& operation = options->operation;
-  app->add_option("OPERATION", operation.thinning.rule,
-                  "A thinning operation, holes, localise, graph, edges or edges_sobel and so on")
-      ->required()
-      ->type_name("");
+  add_argument(*app, "OPERATION", operation.thinning.rule,
+               "A thinning operation, holes, localise, graph, edges or edges_sobel and so on");
   add_input_options(*app, *options);
   add_output_options(*app, *options);
   add_isa_option(*app, operation.thinning.execution.isa);
@@ -272,10 +263,9 @@ Command add_batch_command(CLI::App& program) {
   operation.of_thinning = added(add_thinning_options, operation.thinning);
   operation.of_edges = added(add_edge_thresholds, operation.edges);
   operation.of_graphs = added(add_graph_options, operation.graph);
-  app->add_option("--min-area", operation.min_area,
-                  "Omit objects and holes of fewer than N pixels, 1 to 2^31 (holes)")
-      ->check(whole_number(1, kMaxImagePixels))
-      ->type_name("N");
+  add_value(*app, "--min-area", operation.min_area,
+            "Omit objects and holes of fewer than N pixels, 1 to 2^31 (holes)",
+            whole_number(1, kMaxImagePixels), "N");
   operation.of_binarise = add_binarise_options(*app, operation.binarise);
   app->footer(kFooter);
   return {app, [options](const Console& console) {

@@ -85,23 +85,22 @@ BatchOperation thinning_operation(const BatchOperationRequest& request) {
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
 
-BatchResult compute_scan(GreyImage grey, BatchRecord& record, const RequestedScan& scan,
-                         const BinariseOptions& options) {
-  BinaryImage binary = binarise(std::move(grey), options);
-  describe_regions(binary, options, {}, record);
-  scan.run(binary.image.view());
-  record.iterations = 1;
-  record.foreground_after = foreground_pixels(binary.image.view());
-  return {std::move(binary.image), {}};
+/// Owns no memory, so that threads may share `compute`.
+BatchOperation without_memory(const std::string& name, const BatchCompute& compute) {
+  return {name, [compute] { return compute; }};
 }
 
 BatchOperation scan_operation(const BatchOperationRequest& request) {
   const auto compute = [scan = requested_scan(request.thinning), options = request.binarise](
-                           GreyImage grey, BatchRecord& record) {
-    return compute_scan(std::move(grey), record, scan, options);
+                           GreyImage grey, BatchRecord& record) -> BatchResult {
+    BinaryImage binary = binarise(std::move(grey), options);
+    describe_regions(binary, options, {}, record);
+    scan.run(binary.image.view());
+    record.iterations = 1;
+    record.foreground_after = foreground_pixels(binary.image.view());
+    return {std::move(binary.image), {}};
   };
-  return {std::string(kScanOperation) + given_words(request.of_thinning),
-          [compute] { return compute; }};
+  return without_memory(std::string(kScanOperation) + given_words(request.of_thinning), compute);
 }
 
 BatchResult compute_edges(GreyImage levels, BatchRecord& record,
@@ -124,8 +123,8 @@ BatchOperation edges_operation(const BatchOperationRequest& request) {
   const auto compute = [request, op](GreyImage grey, BatchRecord& record) {
     return compute_edges(std::move(grey), record, request, op);
   };
-  return {std::string(edge_operator_info(op).operation) + given_words(request.of_edges),
-          [compute] { return compute; }};
+  return without_memory(
+      std::string(edge_operator_info(op).operation) + given_words(request.of_edges), compute);
 }
 
 RegionRequest region_request(const BatchOperationRequest& request) {
@@ -137,24 +136,22 @@ RegionRequest region_request(const BatchOperationRequest& request) {
           .execution = request.thinning.execution};
 }
 
-BatchResult compute_regions(GreyImage grey, BatchRecord& record, const RegionRequest& request) {
-  BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);
-  describe(binary, request.binarise, record);
-  DrawnRegions drawn =
-      find_regions_in(std::move(grey), std::move(binary), {record.file, record.page}, request);
-  count(drawn.found.regions, record);
-  return {
-      {}, json_text(regions_json(drawn.found)), std::move(drawn.ground), std::move(drawn.overlay)};
-}
-
 BatchOperation regions_operation(const BatchOperationRequest& request) {
-  const auto compute = [of = region_request(request)](GreyImage grey, BatchRecord& record) {
-    return compute_regions(std::move(grey), record, of);
+  const auto compute = [of = region_request(request)](GreyImage grey,
+                                                      BatchRecord& record) -> BatchResult {
+    BinaryImage binary = binarise(image_to_binarise(grey, of), of.binarise);
+    describe(binary, of.binarise, record);
+    DrawnRegions drawn =
+        find_regions_in(std::move(grey), std::move(binary), {record.file, record.page}, of);
+    count(drawn.found.regions, record);
+    return {{},
+            json_text(regions_json(drawn.found)),
+            std::move(drawn.ground),
+            std::move(drawn.overlay)};
   };
   const std::string area =
       request.min_area ? " --min-area " + std::to_string(*request.min_area) : "";
-  return {request.thinning.rule + given_words(request.of_edges) + area,
-          [compute] { return compute; }};
+  return without_memory(request.thinning.rule + given_words(request.of_edges) + area, compute);
 }
 
 BatchResult compute_graph(GreyImage grey, BatchRecord& record,
@@ -179,7 +176,7 @@ BatchOperation graph_operation(const BatchOperationRequest& request) {
   const auto compute = [request](GreyImage grey, BatchRecord& record) {
     return compute_graph(std::move(grey), record, request);
   };
-  return {kGraph + given_words(request.of_graphs) + contents, [compute] { return compute; }};
+  return without_memory(kGraph + given_words(request.of_graphs) + contents, compute);
 }
 
 bool makes_edges(const BatchOperationRequest& request) {

@@ -17,16 +17,14 @@ void invert(ByteImage& grey) {
 }  // namespace
 
 void add_edge_thresholds(CLI::App& app, EdgeRequest& request) {
-  app.add_option("--gradient-threshold,--p1", request.gradient_threshold,
-                 "P1 of the paper: an edge has a greater gradient, 0 to 255")
-      ->check(whole_number(0, kMaxThreshold))
-      ->type_name("N")
+  add_value(app, "--gradient-threshold,--p1", request.gradient_threshold,
+            "P1 of the paper: an edge has a greater gradient, 0 to 255",
+            whole_number(0, kMaxThreshold), "N")
       ->capture_default_str();
-  app.add_option("--brightness-threshold,--p2", request.brightness_threshold,
-                 "P2 of the paper: beside an edge the background is brighter, 0 to 255 (default: "
-                 "from --threshold)")
-      ->check(whole_number(0, kMaxThreshold))
-      ->type_name("N");
+  add_value(app, "--brightness-threshold,--p2", request.brightness_threshold,
+            "P2 of the paper: beside an edge the background is brighter, 0 to 255 (default: "
+            "from --threshold)",
+            whole_number(0, kMaxThreshold), "N");
 }
 
 EdgeThresholds prepare_for_edges(ByteImage& grey, const BinaryImage& binary,

@@ -62,10 +62,8 @@ Command add_edges_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("edges", "Mark the edges of an image file in another");
   const auto options = std::make_shared<EdgesOptions>();
   add_input(*app, options->in);
-  app->add_option("OUT", options->out,
-                  "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output")
-      ->required()
-      ->type_name("");
+  add_argument(*app, "OUT", options->out,
+               "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output");
   app->add_option("--operator", options->op,
                   "roberts4, roberts9, mero_vassy, mero_vassy_5x5, sobel or prewitt")
       ->type_name("NAME")

@@ -253,10 +253,9 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
   add_overlay_option(app, options.overlay);
   add("--edge-labels", options.edge_labels,
       "Label image to write: the id of its edge at each pixel, 0 where edges meet");
-  app.add_option("--out", options.out,
-                 "Image to write: the skeleton, as pruned; - for PNG on standard output")
-      ->check(not_empty())
-      ->type_name("OUT");
+  add_value(app, "--out", options.out,
+            "Image to write: the skeleton, as pruned; - for PNG on standard output", not_empty(),
+            "OUT");
 }
 
 }  // namespace
@@ -266,12 +265,10 @@ Command add_graph_command(CLI::App& program) {
   const auto options = std::make_shared<GraphCommandOptions>();
   add_input(*app, options->in);
   add_graph_options(*app, options->request);
-  app->add_option("--node", options->nodes,
-                  "Make a node of this pixel of the skeleton; may be repeated")
+  add_value(*app, "--node", options->nodes,
+            "Make a node of this pixel of the skeleton; may be repeated", not_empty(), "X,Y")
       ->expected(1)
-      ->take_all()
-      ->check(not_empty())
-      ->type_name("X,Y");
+      ->take_all();
   CLI::Option* const labels =
       app->add_flag("--labels", options->has_labels,
                     "IN numbers objects, as `thinbench labels` writes them: a graph for each");

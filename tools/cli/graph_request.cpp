@@ -63,36 +63,29 @@ FoundGraph described(Graph graph, const View<double>& distances, const ImagePage
 
 void add_graph_options(CLI::App& app, GraphRequest& request) {
   constexpr double no_limit = 1e9;
-  app.add_option("--thinning", request.thinning,
-                 "Operation that thins the image; none: it is a skeleton")
-      ->check(not_empty())
-      ->type_name("NAME")
+  add_value(app, "--thinning", request.thinning,
+            "Operation that thins the image; none: it is a skeleton", not_empty(), "NAME")
       ->capture_default_str();
   add_spacing_option(app, request.pruning.spacing);
-  app.add_option("--unit", request.unit, "Name of the unit of the spacing, for files")
-      ->check(printable())
-      ->type_name("NAME");
+  add_value(app, "--unit", request.unit, "Name of the unit of the spacing, for files", printable(),
+            "NAME");
   CLI::Option* const prune =
-      app.add_option("--prune", request.pruning.min_length, "Remove branches shorter than LENGTH")
-          ->check(real_number(0, no_limit))
-          ->type_name("LENGTH");
-  app.add_option("--prune-widths", request.pruning.min_widths,
-                 "Remove branches shorter than N times the object's width at their junction")
-      ->check(real_number(0, no_limit))
-      ->type_name("N");
+      add_value(app, "--prune", request.pruning.min_length, "Remove branches shorter than LENGTH",
+                real_number(0, no_limit), "LENGTH");
+  add_value(app, "--prune-widths", request.pruning.min_widths,
+            "Remove branches shorter than N times the object's width at their junction",
+            real_number(0, no_limit), "N");
   app.add_flag("--remove-components", request.pruning.removes_components,
                "Also remove lines and pixels on their own below LENGTH")
       ->needs(prune);
-  app.add_option("--open-cycles", request.open_cycles,
-                 "Remove the longest line of each cycle of at most LENGTH")
-      ->check(real_number(0, no_limit))
-      ->type_name("LENGTH");
+  add_value(app, "--open-cycles", request.open_cycles,
+            "Remove the longest line of each cycle of at most LENGTH", real_number(0, no_limit),
+            "LENGTH");
   app.add_flag("--main-path", request.with_main_paths,
                "Also the longest of the shortest paths between pixels of each component");
-  app.add_option("--tolerance", request.tolerance,
-                 "How far a line may be from the points that are listed for it")
-      ->check(real_number(0, no_limit))
-      ->type_name("N")
+  add_value(app, "--tolerance", request.tolerance,
+            "How far a line may be from the points that are listed for it",
+            real_number(0, no_limit), "N")
       ->capture_default_str();
 }
 

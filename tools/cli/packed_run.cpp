@@ -28,15 +28,13 @@ PackedFormat format_of(const PackedOptions& options, const FileBytes& in) {
 
 void add_packed_options(CLI::App& app, PackedOptions& options) {
   CLI::Option* raw =
-      app.add_option("--raw", options.raw, "IN and OUT hold bits alone, of an image of this size")
-          ->check(not_empty())
-          ->type_name("WIDTHxHEIGHT");
-  app.add_option("--bit-order", options.bit_order,
-                 "Raw bits: the first pixel is the highest (msb) or lowest (lsb) bit of a byte "
-                 "(default: msb)")
-      ->check(one_of({"msb", "lsb"}))
-      ->needs(raw)
-      ->type_name("msb|lsb");
+      add_value(app, "--raw", options.raw, "IN and OUT hold bits alone, of an image of this size",
+                not_empty(), "WIDTHxHEIGHT");
+  add_value(app, "--bit-order", options.bit_order,
+            "Raw bits: the first pixel is the highest (msb) or lowest (lsb) bit of a byte "
+            "(default: msb)",
+            one_of({"msb", "lsb"}), "msb|lsb")
+      ->needs(raw);
 }
 
 bool is_packed_run(const PackedOptions& options, const std::string& out) {

@@ -128,31 +128,26 @@ Command add_path_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("path", "Find a path for a robot through a map");
   const auto options = std::make_shared<PathOptions>();
   options->binarise.is_mostly_foreground = true;
-  app->add_option("MAP", options->in,
-                  "Image whose foreground is free, or an occupancy map: a description in YAML "
-                  "(.yaml, .yml) or its image; - reads an image from standard input")
-      ->required()
-      ->type_name("");
+  add_argument(*app, "MAP", options->in,
+               "Image whose foreground is free, or an occupancy map: a description in YAML "
+               "(.yaml, .yml) or its image; - reads an image from standard input");
   app->add_option("--start", options->start, "Column and row of the first pixel, or metres")
       ->required()
       ->type_name("X,Y");
   app->add_option("--goal", options->goal, "Column and row of the last pixel, or metres")
       ->required()
       ->type_name("X,Y");
-  app->add_option("--width", options->width, "Width of the robot, in the unit")
-      ->check(real_number(0, 1e6))
-      ->type_name("W")
+  add_value(*app, "--width", options->width, "Width of the robot, in the unit", real_number(0, 1e6),
+            "W")
       ->capture_default_str();
-  app->add_option("--unit", options->unit,
-                  "Unit of places, widths and lengths; m needs a description, in whose frame "
-                  "places are")
-      ->check(one_of({"pixel", "m"}))
-      ->type_name("pixel|m")
+  add_value(*app, "--unit", options->unit,
+            "Unit of places, widths and lengths; m needs a description, in whose frame "
+            "places are",
+            one_of({"pixel", "m"}), "pixel|m")
       ->capture_default_str();
-  app->add_option("--unknown", options->unknown,
-                  "What unknown pixels of an occupancy map are (default: obstacle)")
-      ->check(one_of({"obstacle", "free"}))
-      ->type_name("obstacle|free");
+  add_value(*app, "--unknown", options->unknown,
+            "What unknown pixels of an occupancy map are (default: obstacle)",
+            one_of({"obstacle", "free"}), "obstacle|free");
   app->add_flag("--snap", options->snap,
                 "Move a start or goal without room for the robot to the nearest pixel with room");
   app->add_flag("--json", options->json, "Print JSON, with all pixels of the path");

@@ -138,19 +138,17 @@ Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
   const auto options = std::make_shared<PixelOptions>();
   add_input(*app, options->in);
   if (command.out != nullptr) {
-    app->add_option("OUT", options->out, command.out)->required()->type_name("");
+    add_argument(*app, "OUT", options->out, command.out);
   }
   if (command.has_connectivity) {
-    app->add_option("--connectivity", options->connectivity, "Of objects")
-        ->check(one_of({"4", "8"}))
-        ->type_name("8|4")
+    add_value(*app, "--connectivity", options->connectivity, "Of objects", one_of({"4", "8"}),
+              "8|4")
         ->capture_default_str();
   }
   if (command.has_max_area) {
-    app->add_option("--max-area", options->max_area,
-                    "Fill only holes of at most N pixels, 1 to 2^31 (default: all)")
-        ->check(whole_number(1, kMaxImagePixels))
-        ->type_name("N");
+    add_value(*app, "--max-area", options->max_area,
+              "Fill only holes of at most N pixels, 1 to 2^31 (default: all)",
+              whole_number(1, kMaxImagePixels), "N");
   }
   if (command.has_spacing) {
     add_spacing_option(*app, options->spacing);

@@ -41,7 +41,7 @@ class Program {
   const Command* read(const std::vector<std::string>& args) {
     check_command_names(args);
     if (!parse_or_help(app_, args, console_.out)) return nullptr;
-    check_cap();
+    checked_usage(&isa_cap);
     return &parsed_command();
   }
 
@@ -80,14 +80,6 @@ class Program {
                               [](const Command& command) { return command.app->parsed(); });
     }
     return *parsed;
-  }
-
-  static void check_cap() {
-    try {
-      static_cast<void>(isa_cap());
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(error.what());
-    }
   }
 
   CLI::App app_;

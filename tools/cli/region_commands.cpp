@@ -58,10 +58,9 @@ std::shared_ptr<RegionOptions> add_region_options(CLI::App& app) {
   app.add_flag("--json", options->json, "Print JSON");
   add_file_option(app, "--csv", options->csv, "Table of objects and holes to write", file_name());
   add_overlay_option(app, options->overlay);
-  app.add_option("--min-area", request.min_area,
-                 "Omit objects and holes of fewer than N pixels, 1 to 2^31")
-      ->check(whole_number(1, kMaxImagePixels))
-      ->type_name("N")
+  add_value(app, "--min-area", request.min_area,
+            "Omit objects and holes of fewer than N pixels, 1 to 2^31",
+            whole_number(1, kMaxImagePixels), "N")
       ->capture_default_str();
   add_isa_option(app, request.execution.isa);
   add_threads_option(app, request.execution.threads);

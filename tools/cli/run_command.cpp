@@ -7,11 +7,13 @@
 #include "cli/command.hpp"
 #include "cli/packed_run.hpp"
 #include "cli/packed_tiff.hpp"
+#include "cli/scan_request.hpp"
 #include "cli/thinbench.hpp"
 #include "cli/thinning_request.hpp"
 #include "cli/thinning_run.hpp"
 #include "support/usage.hpp"
 #include "thinbench/edges.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -50,10 +52,11 @@ int run_scan(const RunOptions& options, const Console& console) {
   const auto& [in, out] = options.files;
   FileBytes file = read_input(in);
   check_replaced(file, out);
-  const std::string summary =
-      scan_image_file(scan, std::move(file), out, options.binarise, console);
-  summary_stream(console, out) << summary << '\n';
-  return kSuccess;
+  const auto apply = [&](const ImageView& image) {
+    scan.run(image);
+    return 1;
+  };
+  return run_image(kScanOperation, apply, std::move(file), out, options.binarise, console);
 }
 
 int run(const RunOptions& options, const Console& console) {
@@ -71,10 +74,10 @@ int run(const RunOptions& options, const Console& console) {
     file = {};
     return run_tiff(thinning, options.binarise, std::move(*page), options.files, console);
   }
-  const std::string summary =
-      thin_image_file(thinning, std::move(file), out, options.binarise, console);
-  summary_stream(console, out) << summary << '\n';
-  return kSuccess;
+  const auto apply = [&](const ImageView& image) {
+    return thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
+  };
+  return run_image(thinning.name, apply, std::move(file), out, options.binarise, console);
 }
 
 }  // namespace
@@ -84,18 +87,13 @@ Command add_run_command(CLI::App& program) {
       program.add_subcommand("run", "Thin an image file into another, or apply any rule");
   const auto options = std::make_shared<RunOptions>();
   options->thinning.other_operations = {kScanOperation};
-  app->add_option("RULE", options->thinning.rule,
-                  "Operation ('thinbench list'), named rule ('thinbench rule --list'), Hensel's "
-                  "notation such as B3/S23, or JSON file")
-      ->required()
-      ->type_name("");
+  add_argument(*app, "RULE", options->thinning.rule,
+               "Operation ('thinbench list'), named rule ('thinbench rule --list'), Hensel's "
+               "notation such as B3/S23, or JSON file");
   add_input(*app, options->files.in);
-  app->add_option(
-         "OUT", options->files.out,
-         "Image to write: .png, .pgm, .bmp, .tif, - for PNG on standard output or, from PBM "
-         "(P4), .pbm")
-      ->required()
-      ->type_name("");
+  add_argument(*app, "OUT", options->files.out,
+               "Image to write: .png, .pgm, .bmp, .tif, - for PNG on standard output or, from PBM "
+               "(P4), .pbm");
   add_isa_option(*app, options->thinning.execution.isa);
   add_threads_option(*app, options->thinning.execution.threads);
   add_thinning_options(*app, options->thinning);

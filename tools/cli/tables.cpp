@@ -76,6 +76,18 @@ std::string edge_rows(const Json& found) {
   return rows;
 }
 
+std::string csv_head(bool is_graph) {
+  return std::string("file,page,image_width,image_height,") +
+         (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,"
+                     "smoothed_length,chord,"
+                     "width_mean,width_median,width_min,width_max,unit,label\n"
+                   : "kind,id,enclosing_object,area,centre_x,centre_y,left,top,width,height\n");
+}
+
+std::string csv_rows(const Json& found) {
+  return found.contains("nodes") ? edge_rows(found) : region_rows(found);
+}
+
 std::string text_of(const TablePart& part, TableFormat format) {
   const FileBytes file = read_file(part.path);
   try {
@@ -88,18 +100,6 @@ std::string text_of(const TablePart& part, TableFormat format) {
 }
 
 }  // namespace
-
-std::string csv_head(bool is_graph) {
-  return std::string("file,page,image_width,image_height,") +
-         (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,"
-                     "smoothed_length,chord,"
-                     "width_mean,width_median,width_min,width_max,unit,label\n"
-                   : "kind,id,enclosing_object,area,centre_x,centre_y,left,top,width,height\n");
-}
-
-std::string csv_rows(const Json& found) {
-  return found.contains("nodes") ? edge_rows(found) : region_rows(found);
-}
 
 std::string csv_text(const Json& found) {
   return csv_head(found.contains("nodes")) + csv_rows(found);

@@ -15,14 +15,8 @@ struct ImagePage {
   int page = 1;  // from 1
 };
 
-/// The names of the columns: of objects and holes, or of the edges of graphs.
-[[nodiscard]] std::string csv_head(bool is_graph);
-
-/// Of regions_json() or graph_json(): an object before its holes; each edge. Infinite numbers are
-/// empty. Throws nlohmann::json::exception for other JSON.
-[[nodiscard]] std::string csv_rows(const nlohmann::ordered_json& found);
-
-/// The head and the rows.
+/// Of regions_json() or graph_json(), below the names of the columns: an object before its holes;
+/// each edge. Infinite numbers are empty. Throws nlohmann::json::exception for other JSON.
 [[nodiscard]] std::string csv_text(const nlohmann::ordered_json& found);
 
 /// A file of found JSON, and the image that it is about.

@@ -46,12 +46,10 @@ bool is_file(const std::string& word) {
 }
 
 NamedValue rule_of_notation(const std::string& word, bool optimise) {
-  try {
-    return {word.substr(0, kMaxRuleNameLength),
-            Rule(table_from_hensel(word), {.optimise = optimise, .name = word})};
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  const auto make = [&] {
+    return Rule(table_from_hensel(word), {.optimise = optimise, .name = word});
+  };
+  return {word.substr(0, kMaxRuleNameLength), checked_usage(make)};
 }
 
 NamedValue rule_of_file(const std::string& path, bool optimise) {
@@ -123,23 +121,19 @@ Rule net_from_file(const NamedValue& rule, const FileBytes& file) {
 void add_thinning_options(CLI::App& app, ThinningRequest& request) {
   add_file_option(app, "--weights", request.weights,
                   "Weights of a net, made by 'thinbench-study train'");
-  app.add_option_function<std::string>(
-         "--border",
-         [&request](const std::string& name) { request.thinning.border = border_named(name); },
-         "What is outside the image: background, foreground, or keep: background, and the "
-         "outermost rows and columns never change, as in OpenCV (default: the rule's own)")
-      ->check(not_empty())
-      ->type_name("NAME");
-  app.add_option(
-         "--directions", request.directions,
-         "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
-      ->check(not_empty())
-      ->type_name("NAME,...");
-  app.add_option("--max-iterations", request.thinning.max_iterations,
-                 "Stop after N iterations (default: the rule's own limit, if it has one, else when "
-                 "nothing changes any more)")
-      ->check(whole_number(1, INT_MAX))
-      ->type_name("N");
+  add_value(
+      app, "--border",
+      [&request](const std::string& name) { request.thinning.border = border_named(name); },
+      "What is outside the image: background, foreground, or keep: background, and the "
+      "outermost rows and columns never change, as in OpenCV (default: the rule's own)",
+      not_empty(), "NAME");
+  add_value(app, "--directions", request.directions,
+            "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)",
+            not_empty(), "NAME,...");
+  add_value(app, "--max-iterations", request.thinning.max_iterations,
+            "Stop after N iterations (default: the rule's own limit, if it has one, else when "
+            "nothing changes any more)",
+            whole_number(1, INT_MAX), "N");
   app.add_flag("--optimise", request.optimise,
                "Search longer for fewer gates of a rule given by tables: up to 2 s per table "
                "instead of 20 ms");
@@ -159,11 +153,7 @@ RequestedThinning requested_thinning(const ThinningRequest& request) {
 }
 
 void check_options(const RequestedThinning& requested) {
-  try {
-    const Thinner on_one_pixel(requested.rule, 1, 1, requested.thinning);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  checked_usage([&] { const Thinner on_one_pixel(requested.rule, 1, 1, requested.thinning); });
 }
 
 }  // namespace thinbench

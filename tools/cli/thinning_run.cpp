@@ -9,7 +9,6 @@
 #include "support/text.hpp"
 #include "support/timing.hpp"
 #include "thinbench/packed.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -44,50 +43,26 @@ std::string summary_of(std::string_view name, const View& image, const Apply& ap
                      counted(before, "foreground pixel"), foreground_of(image), milliseconds);
 }
 
-int thin_in_place(const RequestedThinning& thinning, const ImageView& image) {
-  return thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
-}
+}  // namespace
 
-int thin_in_place(const RequestedThinning& thinning, const PackedView& image) {
-  return thin_packed(thinning.rule, image, image, thinning.thinning, thinning.execution);
-}
-
-auto thinner_of(const RequestedThinning& thinning) {
-  return [&](const auto& image) { return thin_in_place(thinning, image); };
-}
-
-template <class Apply>
-std::string apply_to_file(std::string_view name, const Apply& apply, FileBytes in,
-                          const std::string& out, const BinariseOptions& binarise,
-                          const Console& console) {
+int run_image(std::string_view name, const std::function<int(const ImageView&)>& apply,
+              FileBytes in, const std::string& out, const BinariseOptions& binarise,
+              const Console& console) {
   check_extension(out);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage image = read_binary(std::move(in), binarise, remarks);
-  std::string summary = summary_of(name, image.view(), apply);
+  const std::string summary = summary_of(name, image.view(), apply);
   write_grey(out, image.view());
   console.err << remarks.str();
-  return summary;
-}
-
-}  // namespace
-
-std::string thin_image_file(const RequestedThinning& thinning, FileBytes in, const std::string& out,
-                            const BinariseOptions& binarise, const Console& console) {
-  return apply_to_file(thinning.name, thinner_of(thinning), std::move(in), out, binarise, console);
-}
-
-std::string scan_image_file(const RequestedScan& scan, FileBytes in, const std::string& out,
-                            const BinariseOptions& binarise, const Console& console) {
-  const auto apply = [&](const ImageView& image) {
-    scan.run(image);
-    return 1;
-  };
-  return apply_to_file(kScanOperation, apply, std::move(in), out, binarise, console);
+  summary_stream(console, out) << summary << '\n';
+  return kSuccess;
 }
 
 std::string thin_packed_image(const RequestedThinning& thinning, const PackedView& image,
                               const std::function<void()>& save) {
-  std::string summary = summary_of(thinning.name, image, thinner_of(thinning));
+  std::string summary = summary_of(thinning.name, image, [&](const PackedView& view) {
+    return thin_packed(thinning.rule, view, view, thinning.thinning, thinning.execution);
+  });
   save();
   return summary;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
@@ -18,17 +19,13 @@ struct ThinningFiles {
   std::string out;
 };
 
-// All return "NAME: 90 x 40, 7 iterations, 1200 foreground pixels before, 130 after, 0.042 ms",
-// without an end of line.
+// All tell "NAME: 90 x 40, 7 iterations, 1200 foreground pixels before, 130 after, 0.042 ms".
 
-/// Remarks on the foreground go to the console.
-[[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning, FileBytes in,
-                                          const std::string& out, const BinariseOptions& binarise,
-                                          const Console& console);
-
-[[nodiscard]] std::string scan_image_file(const RequestedScan& scan, FileBytes in,
-                                          const std::string& out, const BinariseOptions& binarise,
-                                          const Console& console);
+/// `apply` works in place and returns the number of iterations. Summary and remarks on the
+/// foreground go to the console.
+int run_image(std::string_view name, const std::function<int(const ImageView&)>& apply,
+              FileBytes in, const std::string& out, const BinariseOptions& binarise,
+              const Console& console);
 
 /// Thins an image in place, then calls `save`.
 [[nodiscard]] std::string thin_packed_image(const RequestedThinning& thinning,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace thinbench {
 
@@ -13,5 +14,15 @@ inline constexpr int kUsage = 2;
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Does work, of which std::invalid_argument becomes a UsageError that begins with `before`.
+template <class Work>
+auto checked_usage(const Work& work, const char* before = "") {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string(before) + error.what());
+  }
+}
 
 }  // namespace thinbench
