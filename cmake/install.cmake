@@ -60,6 +60,8 @@ install(FILES ${PROJECT_BINARY_DIR}/thinbenchConfig.cmake ${PROJECT_BINARY_DIR}/
 set(thinbench_private_libraries "-lstdc++ -lm -pthread")
 if(APPLE)
   set(thinbench_private_libraries "-lc++")
+elseif(WIN32)
+  string(APPEND thinbench_private_libraries " -lsynchronization")
 endif()
 if(THINBENCH_WITH_TBB)
   string(PREPEND thinbench_private_libraries "-ltbb ")

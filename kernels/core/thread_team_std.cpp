@@ -1,10 +1,12 @@
 // Without oneTBB: a team starts its threads and keeps them.
 #include <atomic>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
+#if defined(_WIN32)
+#include <windows.h>
+#endif
 
 #include "core/memory_pool.hpp"
 #include "core/thread_team.hpp"
@@ -13,37 +15,30 @@ namespace thinbench::detail {
 
 namespace {
 
-/// Waits until an atomic number is no longer `old`.
-#if defined(__GLIBCXX__) && !defined(_GLIBCXX_HAVE_PLATFORM_WAIT)
-// Without futexes, GCC's std::atomic::wait may miss a notification and wait for ever.
-class Waiting {
- public:
-  template <class Number>
-  void wait(const std::atomic<Number>& number, Number old) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return number != old; });
+#if defined(_WIN32)
+// On Windows GCC's std::atomic::wait may miss a notification, and its condition variables are slow.
+template <class Number>
+void wait_while(const std::atomic<Number>& number, Number old) {
+  static_assert(sizeof number == sizeof old);
+  while (number == old) {
+    WaitOnAddress(const_cast<std::atomic<Number>*>(&number), &old, sizeof old, INFINITE);
   }
-  template <class Number>
-  void notify(std::atomic<Number>&) {
-    { const std::lock_guard lock(mutex_); }
-    changed_.notify_all();
-  }
+}
 
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-};
+template <class Number>
+void notify(std::atomic<Number>& number) {
+  WakeByAddressAll(&number);
+}
 #else
-struct Waiting {
-  template <class Number>
-  void wait(const std::atomic<Number>& number, Number old) {
-    number.wait(old);
-  }
-  template <class Number>
-  void notify(std::atomic<Number>& number) {
-    number.notify_all();
-  }
-};
+template <class Number>
+void wait_while(const std::atomic<Number>& number, Number old) {
+  number.wait(old);
+}
+
+template <class Number>
+void notify(std::atomic<Number>& number) {
+  number.notify_all();
+}
 #endif
 
 }  // namespace
@@ -78,27 +73,26 @@ struct ThreadTeam::Workers {
     busy = static_cast<int>(threads.size());
     wake();
     take_parts();
-    for (int left = busy; left > 0; left = busy) waiting.wait(busy, left);
+    for (int left = busy; left > 0; left = busy) wait_while(busy, left);
     if (error) std::rethrow_exception(error);
   }
 
  private:
   void wake() {
     ++epoch;
-    waiting.notify(epoch);
+    notify(epoch);
   }
 
   void work() {
     for (unsigned seen = 0;;) {
-      waiting.wait(epoch, seen);
+      wait_while(epoch, seen);
       seen = epoch;
       if (stopping) return;
       {
         const WorkerBlocks blocks;
         take_parts();
       }
-      --busy;
-      waiting.notify(busy);
+      if (--busy == 0) notify(busy);
     }
   }
 
@@ -113,7 +107,6 @@ struct ThreadTeam::Workers {
     }
   }
 
-  Waiting waiting;
   std::vector<std::thread> threads;
   std::atomic<unsigned> epoch = 0;  // of loops; a new one wakes the threads
   std::atomic<bool> stopping = false;
