@@ -61,7 +61,8 @@ def caches_of(lines: list[Json]) -> list[Json]:
 def _lscpu(*words: str) -> list[Any]:
     """Its list; none where it cannot be run or has nothing to say."""
     try:
-        done = subprocess.run(["lscpu", "--json", *words], check=False, text=True, capture_output=True)
+        done = subprocess.run(["lscpu", "--json", *words], check=False, text=True, capture_output=True,
+                              env=os.environ | {"LC_ALL": "C"})
         return [line for lines in json.loads(done.stdout).values() for line in lines]
     except (OSError, ValueError, AttributeError):
         return []
