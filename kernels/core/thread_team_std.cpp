@@ -47,77 +47,77 @@ void notify(std::atomic<Number>& number) {
 /// fewer threads, loops only take longer.
 struct ThreadTeam::Workers {
   explicit Workers(int count) {
-    threads.reserve(static_cast<std::size_t>(count));
+    threads_.reserve(static_cast<std::size_t>(count));
     try {
-      for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+      for (int i = 0; i < count; ++i) threads_.emplace_back([this] { work(); });
     } catch (...) {
       // No more threads or memory: the calling thread and those that started do all parts.
     }
   }
 
   ~Workers() {
-    stopping = true;
+    stopping_ = true;
     wake();
-    for (std::thread& thread : threads) thread.join();
+    for (std::thread& thread : threads_) thread.join();
   }
 
-  [[nodiscard]] int count() const { return static_cast<int>(threads.size()); }
+  [[nodiscard]] int count() const { return static_cast<int>(threads_.size()); }
 
   void run(Index part_count, Index item_count, Invoke invoke_body, const void* loop_body) {
-    parts = part_count;
-    items = item_count;
-    invoke = invoke_body;
-    body = loop_body;
-    error = nullptr;
-    next = 0;
-    busy = static_cast<int>(threads.size());
+    parts_ = part_count;
+    items_ = item_count;
+    invoke_ = invoke_body;
+    body_ = loop_body;
+    error_ = nullptr;
+    next_ = 0;
+    busy_ = static_cast<int>(threads_.size());
     wake();
     take_parts();
-    for (int left = busy; left > 0; left = busy) wait_while(busy, left);
-    if (error) std::rethrow_exception(error);
+    for (int left = busy_; left > 0; left = busy_) wait_while(busy_, left);
+    if (error_) std::rethrow_exception(error_);
   }
 
  private:
   void wake() {
-    ++epoch;
-    notify(epoch);
+    ++epoch_;
+    notify(epoch_);
   }
 
   void work() {
     for (unsigned seen = 0;;) {
-      wait_while(epoch, seen);
-      seen = epoch;
-      if (stopping) return;
+      wait_while(epoch_, seen);
+      seen = epoch_;
+      if (stopping_) return;
       {
         const WorkerBlocks blocks;
         take_parts();
       }
-      if (--busy == 0) notify(busy);
+      if (--busy_ == 0) notify(busy_);
     }
   }
 
   void take_parts() {
-    for (Index part = next++; part < parts; part = next++) {
+    for (Index part = next_++; part < parts_; part = next_++) {
       try {
-        invoke(body, items * part / parts, items * (part + 1) / parts);
+        invoke_(body_, items_ * part / parts_, items_ * (part + 1) / parts_);
       } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!error) error = std::current_exception();
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = std::current_exception();
       }
     }
   }
 
-  std::vector<std::thread> threads;
-  std::atomic<unsigned> epoch = 0;  // of loops; a new one wakes the threads
-  std::atomic<bool> stopping = false;
-  std::atomic<int> busy = 0;  // threads that have not finished the loop
-  std::atomic<Index> next = 0;
-  Index parts = 0;
-  Index items = 0;
-  Invoke invoke = nullptr;
-  const void* body = nullptr;
-  std::mutex mutex;  // of `error`
-  std::exception_ptr error;
+  std::vector<std::thread> threads_;
+  std::atomic<unsigned> epoch_ = 0;  // of loops; a new one wakes the threads
+  std::atomic<bool> stopping_ = false;
+  std::atomic<int> busy_ = 0;  // threads that have not finished the loop
+  std::atomic<Index> next_ = 0;
+  Index parts_ = 0;
+  Index items_ = 0;
+  Invoke invoke_ = nullptr;
+  const void* body_ = nullptr;
+  std::mutex mutex_;  // of `error_`
+  std::exception_ptr error_;
 };
 
 int available_threads(int threads) {

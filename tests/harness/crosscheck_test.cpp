@@ -62,11 +62,14 @@ std::size_t images_per_shown() {
 }
 
 /// Shows a set to a verifier. Operations begin with different images, so that together they see
-/// all.
+/// all; each sees one at least.
 void show(const TestImageSet& set, std::size_t first, Verifier& verifier) {
+  std::size_t size = 0;
+  set.generate([&](const TestImage&) { ++size; });
+  const std::size_t every = std::min(images_per_shown(), size);
   std::size_t number = first;
   set.generate([&](const TestImage& image) {
-    if (number++ % images_per_shown() == 0) verifier.show(image);
+    if (number++ % every == 0) verifier.show(image);
   });
 }
 
