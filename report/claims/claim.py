@@ -37,10 +37,10 @@ class Claim:
     command: str
 
 
-def judged(claim: str, parts: Sequence[bool], figure: str, holds: str, else_: str, command: str) -> Claim:
+def judged(claim: str, parts: Sequence[bool], figure: str, holds: str, otherwise: str, command: str) -> Claim:
     """With the reason why all parts hold, or else why not."""
     verdict = Verdict.of(parts)
-    return Claim(claim, verdict, figure, holds if verdict is Verdict.HOLDS else else_, command)
+    return Claim(claim, verdict, figure, holds if verdict is Verdict.HOLDS else otherwise, command)
 
 
 def open_claim(claim: str, command: str) -> Claim:
