@@ -38,6 +38,10 @@ DRAWN = ("halftone_{}", "page_{}", "noise_{}_5_1", "noise_{}_41_1", "noise_{}_50
 SIDE, QUICK_SIDE = 2896, 1024
 """Of drawn pages: 8.4 megapixels."""
 
+LARGE = 4_000_000
+ABOUT_LARGE = (" Such pages do not fit the caches of a core, and the memory is shared with other programs, which no "
+               "probe of the processor notices.")
+
 WITHOUT_SLOW = "^(?!(?:thin_[^/]*/opencv|holes/opencv_contours)/)(?=.*(?:{}))"
 """Of the rows of a filter, on drawn pages: OpenCV's thinning and contours take seconds there, beyond what is measured."""
 
@@ -208,18 +212,29 @@ def pages_table(rows: Iterable[Row]) -> str:
 
 
 def pages_markdown(run: Run) -> str:
-    """The table, then every picture."""
+    """The tables, those of large pages apart, then every picture."""
     pictures = {row.input: row for row in run.rows}
     chosen = [row for row in run.rows if row.is_choice]
     cases = sorted({row.case for row in chosen}, key=place)
     cells = {(row.input, row.case): f"{1000 * row.ns_per_pixel:,.0f}{' !' if row.flags else ''}" for row in chosen}
     lines = [[name, f"{row.width} × {row.height}", *(cells.get((name, case), NOTHING) for case in cases)]
              for name, row in pictures.items()]
+    small = [row for row in run.rows if row.width * row.height < LARGE]
+    large = [row for row in run.rows if row.width * row.height >= LARGE]
     return (f"# Real pictures and drawn pages\n\n{counted(len(pictures), 'picture')}, end to end, one thread, commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}. Ratios say how many times as fast as the peer "
             f"this project is; means are geometric. {choice_text(run.rows)}\n\n{warning_text(run)}"
-            f"{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks what did not settle or whose controls failed.\n\n" +
+            f"{_section('Pictures', small)}{_section('Pages of 4 megapixels or more', large, ABOUT_LARGE)}"
+            "## Picoseconds per pixel\n\n`!` marks what did not settle or whose controls failed.\n\n" +
             markdown_table(("picture", "size", *map(label, cases)), lines, frozenset(range(2, 2 + len(cases)))))
+
+
+def _section(title: str, rows: Sequence[Row], about: str = "") -> str:
+    if not rows:
+        return ""
+    chosen = [row for row in rows if row.is_choice]
+    flagged = sum(bool(row.flags) for row in chosen)
+    return f"## {title}\n\n{flagged} of {counted(len(chosen), 'result')} flagged.{about}\n\n{pages_table(rows)}\n"
 
 
 def load_pages(directory: Path) -> Run | None:

@@ -10,7 +10,8 @@ from conftest import make_row, study
 from fake_programs import install
 
 from report.errors import ReportError
-from report.pages import comparisons, images_of, load_pages, pages_table, ratios_table
+from report.measure.run import Run
+from report.pages import comparisons, images_of, load_pages, pages_markdown, pages_table, ratios_table
 
 
 def rows_of(picture: str, ours: float, theirs: float) -> list:
@@ -30,6 +31,15 @@ def test_an_operation_without_a_peer_is_left_out_where_ratios_are_asked_for() ->
     rows = [make_row("fill_holes", "simd_flood", "avx512", 100)]
     assert "filled holes" in pages_table(rows)
     assert "filled holes" not in ratios_table(rows)
+
+
+def test_large_pages_have_a_table_of_their_own() -> None:
+    rows = [*rows_of("coins", 100, 200), *(replace(row, width=2000, height=2000) for row in rows_of("scan", 100, 300))]
+    run = Run(Path(), {"machine": {"commit": "1234", "cpu": {"name": "a processor"}}, "controls": {"failed": 0}}, rows)
+    small, large, cells = pages_markdown(run).split("\n## ")[1:]
+    assert "| coins | opencv | 2.00× |" in small and "scan" not in small
+    assert "| scan | opencv | 3.00× |" in large and "coins" not in large
+    assert "| coins |" in cells and "| scan |" in cells
 
 
 def test_the_fastest_peer_of_each_picture_counts() -> None:
