@@ -97,11 +97,14 @@ thinbench_status thinbench_thin_many(const thinbench_rule* rule, const thinbench
                                      const thinbench_thinning* thinning,
                                      const thinbench_execution* execution, int32_t* iterations) {
   return guarded([&] {
-    std::vector<ConstImageView> from;
-    std::vector<ImageView> to;
-    for (const auto& image : images_of(sources, count, "sources")) from.push_back(image.view);
+    const auto read_images = images_of(sources, count, "sources");
     const auto written_images = images_of(destinations, count, "destinations");
-    for (const auto& image : written_images) to.push_back(image.view);
+    std::vector<ConstImageView> from(count);
+    std::vector<ImageView> to(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      from[i] = read_images[i].view;
+      to[i] = written_images[i].view;
+    }
     const int maximum =
         thin_many(rule_of(rule), from, to, thinning_of(thinning), execution_of(execution));
     for (const auto& image : written_images) set_foreground(image);

@@ -455,8 +455,8 @@ void Emitter::load_tile_register(const Vector& to, int y, int column) {
 
 /// Into registers of west, centre and east pixels.
 void Emitter::load_tile_row(int y, const std::array<int, 3>& registers) {
-  for (int column = -1; column <= 1; ++column) {
-    load_tile_register(vector(registers[static_cast<std::size_t>(column + 1)]), y, column);
+  for (std::size_t i = 0; i < registers.size(); ++i) {
+    load_tile_register(vector(registers[i]), y, static_cast<int>(i) - 1);
   }
   combine_neighbours<32>(vector(registers[0]), vector(registers[1]), vector(registers[2]));
 }

@@ -12,11 +12,12 @@
 #include "thinbench/options.hpp"
 
 namespace thinbench::detail {
-namespace {
 
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::invalid_argument(reason);
+void reject(const std::string& message) {
+  throw std::invalid_argument(message);
 }
+
+namespace {
 
 std::string text_of(const Memory& memory) {
   const std::string size = size_text(memory.width, memory.rows);
@@ -129,14 +130,6 @@ std::vector<ListedBytes> bytes_of(std::span<const ConstImageView> sources,
 }
 
 }  // namespace
-
-void require(bool condition, const std::string& message) {
-  if (!condition) reject(message);
-}
-
-void require(bool condition, const char* message) {
-  if (!condition) reject(message);
-}
 
 std::string number_text(double number) {
   std::array<char, 32> text{};

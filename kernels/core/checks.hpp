@@ -13,13 +13,18 @@
 
 namespace thinbench::detail {
 
+[[noreturn]] void reject(const std::string& message);
 /// Throws with this message unless the condition holds.
-void require(bool condition, const std::string& message);
-void require(bool condition, const char* message);
+inline void require(bool condition, const std::string& message) {
+  if (!condition) reject(message);
+}
+inline void require(bool condition, const char* message) {
+  if (!condition) reject(message);
+}
 /// The same with a message that is made only if it is needed: for what every call or pixel checks.
 template <std::invocable Text>
 void require(bool condition, const Text& text) {
-  if (!condition) require(false, text());
+  if (!condition) reject(text());
 }
 
 /// "510 x 412", for messages.

@@ -74,6 +74,7 @@ std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
 std::span<const EdgeOperation> edge_operations() {
   static const auto& all = never_destroyed([] {
     std::vector<EdgeOperation> operations;
+    operations.reserve(std::size(kEdgeOperators));
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
       operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});
     }
