@@ -56,7 +56,7 @@ Gate Decomposer::small_gate(const WindowTable& table, const std::vector<int>& pi
   for (std::size_t row = 0; row < 8; ++row) {
     std::size_t window = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-      window |= (row >> (2 - i) & 1) << pixels[i];
+      window |= (row << i >> 2 & 1) << pixels[i];  // the first pixel is the highest bit
     }
     if (table[window]) gate.function = static_cast<std::uint8_t>(gate.function | 1 << row);
   }
