@@ -167,14 +167,15 @@ class Search {
 
   void visit(std::size_t at) {
     const std::uint8_t cell = cells_[at];
-    for (std::uint8_t k = 0; k < kSteps.size(); ++k) {
+    for (std::size_t k = 0; k < kSteps.size(); ++k) {
       const Step& step = kSteps[k];
       const std::size_t to = at + static_cast<std::size_t>(step.y * stride_ + step.x);
       if ((cells_[to] & kHasRoom) == 0) continue;
       const bool needs_check = k % 2 == 1 && ((cell | cells_[to]) & kIsClear) == 0;
       if (needs_check && !may_cross(pixel_at(at), step)) continue;
       const bool on_skeleton = (cell & cells_[to] & kIsSkeleton) != 0;
-      offer(to, costs_[at] + step.length * (on_skeleton ? 1 : kPathOffSkeletonCost), k);
+      offer(to, costs_[at] + step.length * (on_skeleton ? 1 : kPathOffSkeletonCost),
+            static_cast<std::uint8_t>(k));
     }
   }
 
