@@ -174,7 +174,7 @@ int main() {
   thinbench::expected = thinbench::results_of_every_operation();
   thinbench::failure = thinbench::message_of_a_failure();
   pthread_attr_t attributes;
-  pthread_t thread;
+  pthread_t thread{};
   pthread_attr_init(&attributes);
   if (pthread_attr_setstacksize(&attributes, thinbench::kStackBytes) != 0) return 2;
   if (pthread_create(&thread, &attributes, &thinbench::call_in_thread, nullptr) != 0) return 2;
