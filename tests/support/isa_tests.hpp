@@ -60,7 +60,8 @@ class IsaCap {
   [[nodiscard]] bool is_in_force() const {
     try {
       const auto read = isa_cap();
-      return read && read == isa_from_name(std::getenv(kIsaCapVariable));
+      const char* const cap = std::getenv(kIsaCapVariable);
+      return read && cap != nullptr && read == isa_from_name(cap);
     } catch (const std::invalid_argument&) {
       return true;  // it is read again until it is valid
     }
