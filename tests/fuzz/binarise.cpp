@@ -2,6 +2,7 @@
 // says why in one line and writes nothing.
 #include "thinbench/binarise.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "drawn_image.hpp"
@@ -96,9 +97,9 @@ int level_of(const std::uint8_t* p, Channel channel) {
   const int min = std::min({p[0], p[1], p[2]});
   switch (channel) {
     case Channel::grey:
-      return static_cast<int>(0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2] + 0.5);
+      return static_cast<int>(std::floor(0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2] + 0.5));
     case Channel::saturation:
-      return max == 0 ? 0 : static_cast<int>(255.0 * (max - min) / max + 0.5);
+      return max == 0 ? 0 : static_cast<int>(std::floor(255.0 * (max - min) / max + 0.5));
     case Channel::value:
       return max;
     default:
