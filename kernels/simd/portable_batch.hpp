@@ -23,7 +23,7 @@ class batch_bool {
   explicit batch_bool(const register_type& lanes) : lanes_(lanes) {}
   operator register_type() const { return lanes_; }
 
-  friend batch_bool operator|(const batch_bool& a, const batch_bool& b) {
+  [[gnu::always_inline]] friend batch_bool operator|(const batch_bool& a, const batch_bool& b) {
     register_type lanes;
     for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] = a.lanes_[i] || b.lanes_[i];
     return batch_bool(lanes);
@@ -46,65 +46,67 @@ class batch {
   batch(const register_type& lanes) : lanes_(lanes) {}
   operator register_type() const { return lanes_; }
 
-  static batch load_unaligned(const T* from) {
+  [[gnu::always_inline]] static batch load_unaligned(const T* from) {
     return lanes([from](std::size_t i) { return from[i]; });
   }
-  static batch load_aligned(const T* from) { return load_unaligned(from); }
-  void store_unaligned(T* to) const {
+  [[gnu::always_inline]] static batch load_aligned(const T* from) { return load_unaligned(from); }
+  [[gnu::always_inline]] void store_unaligned(T* to) const {
     for (std::size_t i = 0; i < size; ++i) to[i] = lanes_[i];
   }
   void store_aligned(T* to) const { store_unaligned(to); }
 
   /// Lane i is value(i), converted.
   template <class Value>
-  static batch lanes(const Value& value) {
+  [[gnu::always_inline]] static batch lanes(const Value& value) {
     register_type result;
     for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<T>(value(i));
     return result;
   }
   T operator[](std::size_t i) const { return lanes_[i]; }
 
-  friend batch operator+(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator+(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return arithmetic(a[i]) + arithmetic(b[i]); });
   }
-  friend batch operator-(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator-(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return arithmetic(a[i]) - arithmetic(b[i]); });
   }
-  friend batch operator*(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator*(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return arithmetic(a[i]) * arithmetic(b[i]); });
   }
-  friend batch operator/(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator/(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return a[i] / b[i]; });
   }
-  friend batch operator&(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator&(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return a[i] & b[i]; });
   }
-  friend batch operator|(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator|(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return a[i] | b[i]; });
   }
-  friend batch operator^(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch operator^(const batch& a, const batch& b) {
     return lanes([&](std::size_t i) { return a[i] ^ b[i]; });
   }
-  friend batch operator~(const batch& a) {
+  [[gnu::always_inline]] friend batch operator~(const batch& a) {
     return lanes([&](std::size_t i) { return ~a[i]; });
   }
-  friend batch operator<<(const batch& a, int count) {
+  [[gnu::always_inline]] friend batch operator<<(const batch& a, int count) {
     return lanes([&](std::size_t i) { return arithmetic(a[i]) << count; });
   }
-  friend batch operator>>(const batch& a, int count) {
+  [[gnu::always_inline]] friend batch operator>>(const batch& a, int count) {
     return lanes([&](std::size_t i) { return a[i] >> count; });
   }
 
-  friend batch_bool_type operator!=(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch_bool_type operator!=(const batch& a, const batch& b) {
     return compared([&](std::size_t i) { return a[i] != b[i]; });
   }
-  friend batch_bool_type operator<(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch_bool_type operator<(const batch& a, const batch& b) {
     return compared([&](std::size_t i) { return a[i] < b[i]; });
   }
-  friend batch_bool_type operator>=(const batch& a, const batch& b) {
+  [[gnu::always_inline]] friend batch_bool_type operator>=(const batch& a, const batch& b) {
     return compared([&](std::size_t i) { return a[i] >= b[i]; });
   }
-  friend batch_bool_type operator>(const batch& a, const batch& b) { return b < a; }
+  [[gnu::always_inline]] friend batch_bool_type operator>(const batch& a, const batch& b) {
+    return b < a;
+  }
 
  private:
   /// Integers wrap around: as unsigned, and at least as wide as int, to which narrow ones would
@@ -119,7 +121,7 @@ class batch {
     }
   }
   template <class Holds>
-  static batch_bool_type compared(const Holds& holds) {
+  [[gnu::always_inline]] static batch_bool_type compared(const Holds& holds) {
     typename batch_bool_type::register_type result;
     for (std::size_t i = 0; i < size; ++i) result[i] = holds(i);
     return batch_bool_type(result);

@@ -89,9 +89,9 @@ TEST_F(IsaCapDeathTest,
     const bool same = best_isa() == best_isa();
     exit_with(same && isa_available(Isa::baseline) == cpu_supports(Isa::baseline));
   };
-  EXPECT_EXIT(
-      compute_twice(), testing::ExitedWithCode(0),
-      "^thinbench: THINBENCH_MAX_ISA: expected one of [^\n]*, got 'avx3'; there is no cap\n$");
+  EXPECT_EXIT(compute_twice(), testing::ExitedWithCode(0),
+              "^thinbench: THINBENCH_MAX_ISA: expected one of " + all_isa_names() +
+                  ", got 'avx3'; there is no cap.?\n$");  // Windows: a carriage return
 }
 
 }  // namespace
