@@ -128,7 +128,8 @@ class Drawing {
   }
 
   [[nodiscard]] std::size_t place(Pixel p) const {
-    return static_cast<std::size_t>(p.y * width_ + p.x);
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(p.x);
   }
 
   [[nodiscard]] bool is_drawn(Pixel p) const {
