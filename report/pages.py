@@ -39,8 +39,9 @@ SIDE, QUICK_SIDE = 2896, 1024
 """Of drawn pages: 8.4 megapixels."""
 
 LARGE = 4_000_000
-ABOUT_LARGE = (" Such pages do not fit the caches of a core, and the memory is shared with other programs, which no "
-               "probe of the processor notices.")
+"""Pixels, from which pages have a table of their own."""
+ABOUT_LARGE = (" These pages pass through memory, which other programs share; probes, which run within a core, do not "
+               "notice them there.")
 
 WITHOUT_SLOW = "^(?!(?:thin_[^/]*/opencv|holes/opencv_contours)/)(?=.*(?:{}))"
 """Of the rows of a filter, on drawn pages: OpenCV's thinning and contours take seconds there, beyond what is measured."""
@@ -232,9 +233,9 @@ def pages_markdown(run: Run) -> str:
 def _section(title: str, rows: Sequence[Row], about: str = "") -> str:
     if not rows:
         return ""
-    chosen = [row for row in rows if row.is_choice]
-    flagged = sum(bool(row.flags) for row in chosen)
-    return f"## {title}\n\n{flagged} of {counted(len(chosen), 'result')} flagged.{about}\n\n{pages_table(rows)}\n"
+    flagged = sum(bool(row.flags) for row in rows)
+    return (f"## {title}\n\n{flagged} of {counted(len(rows), 'result')}, peers' included, are flagged.{about}\n\n"
+            f"{pages_table(rows)}\n")
 
 
 def load_pages(directory: Path) -> Run | None:

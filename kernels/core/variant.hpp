@@ -132,7 +132,7 @@ template <class State>
       best = &one;
     }
   }
-  return *best;  // NOLINT(clang-analyzer-core.uninitialized.UndefReturn): the baseline's is usable
+  return *best;  // NOLINT(clang-analyzer-core.uninitialized.UndefReturn): the baseline's fits
 }
 
 /// The state of a variant that can run, for images of a size and with parameters that its family

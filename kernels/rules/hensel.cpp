@@ -86,8 +86,8 @@ unsigned read_letters(NotationReader& reader, std::size_t count) {
 
 /// A number with its letters.
 void read_number(NotationReader& reader, Section& section, unsigned& seen) {
-  if (reader.peek() < '0' || reader.peek() > '8') reader.fail("a digit from 0 to 8");
   const auto count = static_cast<std::size_t>(reader.peek() - '0');
+  if (count > 8) reader.fail("a digit from 0 to 8");
   if ((seen >> count & 1) != 0) reader.reject(std::to_string(count) + " is repeated");
   seen |= 1U << count;
   reader.skip();

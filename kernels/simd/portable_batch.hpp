@@ -33,6 +33,7 @@ class batch_bool {
   register_type lanes_;
 };
 
+/// GCC 12 does not inline most of these functions by itself, and thinning is then 18 times as slow.
 template <class T, class A>
 class batch {
  public:

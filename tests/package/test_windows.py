@@ -15,6 +15,7 @@ from conftest import ROOT, readme_block, released, reuse, run
 from test_cmake_package import OUTPUT, write_example
 from test_wheel import VERSION, copy_tree
 
+WINE = ROOT / "tests" / "windows" / "wine"
 TOOLCHAIN = ROOT / "cmake" / "windows.cmake"
 
 
@@ -33,7 +34,7 @@ def objdump(*options: object) -> str:
 def test_dll_needs_only_the_system(dll):
     needed = re.findall(r"DLL Name: (\S+)", objdump("-p", dll))
     assert {name.lower() for name in needed} == {
-        "kernel32.dll", "msvcrt.dll", "api-ms-win-core-synch-l1-2-0.dll"}  # the latter: WaitOnAddress
+        "kernel32.dll", "msvcrt.dll", "api-ms-win-core-synch-l1-2-0.dll"}  # the last: WaitOnAddress
 
 
 def test_dll_exports_what_is_marked(dll):
@@ -57,7 +58,7 @@ def test_works_where_the_path_has_spaces_and_letters_of_other_scripts(dll, tmp_p
     directory.mkdir()
     shutil.copy(dll, directory)
     shutil.copy(dll.with_name("c_interface_test.exe"), directory)
-    run("wine", "c_interface_test.exe", cwd=directory)
+    run(WINE, "c_interface_test.exe", cwd=directory)
 
 
 @pytest.mark.parametrize("library", ["thinbench", "thinbench_shared"])
@@ -70,7 +71,7 @@ def test_installed_library_is_found_and_linked(dll, library, tmp_path):
         f"-Dthinbench_DIR={prefix}/lib/cmake/thinbench", cwd=tmp_path)
     run("cmake", "--build", "build", cwd=tmp_path)
     dlls = "Z:" + str(prefix / "bin").replace("/", "\\")
-    assert run("wine", tmp_path / "build" / "example.exe", WINEPATH=dlls).splitlines()[0] == OUTPUT
+    assert run(WINE, tmp_path / "build" / "example.exe", WINEPATH=dlls).splitlines()[0] == OUTPUT
 
 
 @pytest.fixture(scope="module")
