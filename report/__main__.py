@@ -40,7 +40,7 @@ def _commands(parser: argparse.ArgumentParser) -> None:
         sweeps.run_sweeps, sweeps.EPILOG)
     add("pages", "measure real pictures and drawn pages beside other projects' code", pages.add_pages_command,
         pages.run_pages, pages.EPILOG)
-    add("many-images", "measure batches of files, workers, dask and images larger than memory",
+    add("many-images", "measure batches of files, workers, calls and dask",
         many_images.add_many_images_command, many_images.run_many_images, many_images.EPILOG)
     add("regress", "say whether rows became slower", regress.add_regress_command,
         regress.run_regress, regress.EPILOG)

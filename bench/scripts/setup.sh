@@ -1,6 +1,6 @@
 # Sourced by ./study and ./check: what they need before they build. Needs `root`, the project's root.
 
-packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev libopencv-dev
+packages=(g++ cmake ninja-build git libbenchmark-dev libgtest-dev libtbb-dev libxsimd-dev libopencv-dev
   libleptonica-dev libjpeg-dev libpng-dev libtiff-dev libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libjs-chart.js valgrind parallel python3 python3-numpy python3-pandas python3-scipy python3-matplotlib python3-jinja2
   python3-jsonschema python3-junitparser)
@@ -8,7 +8,7 @@ packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev lib
 [ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev)
 many_images_packages=(python3-opencv python3-skimage python3-dask python3-distributed)
 # Of the tests alone.
-test_packages=(libgtest-dev clang-format chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
+test_packages=(clang-format chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
   python3-build python3-pip python3-setuptools python3-venv python3-wheel python3-hypothesis
   python3-pil python3-tifffile python3-zarr imagemagick "${many_images_packages[@]}")
 

@@ -27,7 +27,7 @@ def headline_table(lines: list[Headline]) -> str:
 
 def readme_table(lines: list[Headline]) -> str:
     """As the README has it."""
-    cells = [(f"{line.label}, `{line.operation}`", duration(line.best.time_ns), _time(line.avx2),
+    cells = [(f"{line.label}, `{line.case}`", duration(line.best.time_ns), _time(line.avx2),
               variant(line.best), speedup_text(line.best),
               times(line.best.speedup_vs_peer) if _is_opencv(line) else "")
              for line in lines]

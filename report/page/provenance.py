@@ -62,8 +62,8 @@ def _cache(cache: Json) -> str:
 def _controls(controls: Json) -> str:
     if not controls["same"]:
         return "none"
-    return (f"medians over {controls['groups']} groups: a row against itself {controls['same']:.4f}, "
-            f"the same row with a delay of a tenth {controls['slowed']:.4f}; {controls['failed']} groups failed")
+    return (f"medians over {controls['groups']} cases: a row against itself {controls['same']:.4f}, "
+            f"the same row with a delay of a tenth {controls['slowed']:.4f}; {controls['failed']} cases failed")
 
 
 def _input(item: Json) -> str:

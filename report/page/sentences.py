@@ -34,8 +34,8 @@ def warnings(run: Run) -> list[str]:
     flagged = sum(row.flags == "open" for row in run.rows)
     controls = run.facts["controls"]
     if controls["failed"]:
-        found.append(f"The controls of {controls['failed']} of {counted(controls['groups'], 'group')} failed: differences "
-                     "between the rows of these groups, which are flagged, say nothing.")
+        found.append(f"The controls of {controls['failed']} of {counted(controls['groups'], 'case')} failed: differences "
+                     "between the rows of these cases, which are flagged, say nothing.")
     if flagged > MAX_FLAGGED * len(run.rows):
         found.append(f"{flagged} of {counted(len(run.rows), 'result')} had too few quiet moments: {_shared(run)}")
     return found
@@ -124,7 +124,7 @@ def _verified(run: Run) -> str:
     same, slowed = controls["same"], controls["slowed"]
     text = f"Each of the **{run.facts['verified']:,}** variants timed gave its reference's output first."
     if same and slowed:
-        text += (f" Controls, medians of {controls['groups']} groups: a row against itself "
+        text += (f" Controls, medians of {controls['groups']} cases: a row against itself "
                  f"{same:.3f}, one with a delay of about a tenth {slowed:.3f}; {controls['failed']} failed.")
     return text
 

@@ -108,7 +108,7 @@ def test_a_clean_run_carries_no_flags_and_no_warning(built):
 
 
 @pytest.mark.parametrize(("flags", "failed", "said"), [
-    ("", 2, "The controls of 2 of 9 groups failed"), ("open", 0, "had too few quiet moments"),
+    ("", 2, "The controls of 2 of 9 cases failed"), ("open", 0, "had too few quiet moments"),
     ("open", 0, "others shared the processor for 60 % of the time. About 4 times as long would do")])
 def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(make, flags, failed, said):
     facts = make_facts(all_rows())

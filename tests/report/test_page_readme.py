@@ -25,7 +25,7 @@ def test_only_what_stands_between_the_marks_changes(tmp_path):
     text = (tmp_path / "README.md").read_text()
     assert "old" not in text
     assert all(words in text for words in ("Before.\n", "Between.\n", "After.\n"))
-    assert "| Guo-Hall, border kept, `thin_guo_hall` | 64.0 µs | 120 µs | simd_bitpacked, avx512 | 156× " \
+    assert "| Guo-Hall, border kept, `thin_guo_hall:keep` | 64.0 µs | 120 µs | simd_bitpacked, avx512 | 156× " \
            "(153\N{EN DASH}159) | 1,406× |" in text
     assert "[all timings](run/timings.csv)" in text
     assert "| `simd_bitpacked` | avx512 | 156× (153\N{EN DASH}159) | 156× (153\N{EN DASH}159) | \N{EN DASH} |" in text

@@ -70,7 +70,7 @@ def test_markdown_has_a_table_for_each_case(run: Path) -> None:
     found = load_run(run / "sweeps")
     assert text == sweeps_markdown(found)
     found.facts["controls"] |= {"failed": 1, "groups": 4}
-    assert "The controls of 1 of 4 groups failed" in sweeps_markdown(found)
+    assert "The controls of 1 of 4 cases failed" in sweeps_markdown(found)
     assert "**thin_guo_hall** by side of the square, pixels" in text
     assert "| 511 | " in text
 
