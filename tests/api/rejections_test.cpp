@@ -372,6 +372,7 @@ TEST(Rules, are_checked) {
       {[&] { thin(Rule(life), valid.left, valid.left); },
        "custom: this rule adds and removes pixels, so it may never end; it needs a limit "
        "(max_iterations)"},
+      {[] { (void)Rule(Rule::guo_hall).gates(2); }, "sub-iteration 2 of a rule with 2"},
       {[] { (void)Rule::named("magic"); }, "rule: expected a name, got 'magic'"},
       {[&] { (void)Rule::from_net(no_number, Activation::linear); },
        "weight 5 of hidden neuron 3: expected a number in [-1e30, 1e30], got nan"},

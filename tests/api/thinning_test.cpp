@@ -57,6 +57,11 @@ TEST(Rule, of_a_net_reaches_the_adjacent_pixels) {
   EXPECT_EQ(Rule::named("net_two_layer_linear").reach(), 1);
 }
 
+TEST(Rule, of_a_net_has_the_nets_name) {
+  EXPECT_EQ(Rule::from_net(kPaperTwoLayer, Activation::linear).name(), "net");
+  EXPECT_EQ(Rule::named("net_two_layer_linear").name(), "net_two_layer_linear");
+}
+
 TEST(Thin, takes_one_iteration_for_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}}) {
     for (const RuleInfo& info : kRules) {

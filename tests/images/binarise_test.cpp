@@ -112,6 +112,24 @@ TEST(Binarise, default_window_is_an_eighth_of_the_smaller_side_odd_and_at_least_
   }
 }
 
+TEST(Binarise, local_foreground_where_no_side_deviates_farther_is_bright) {
+  const ByteImage flat = image_by(20, 20, [](Index, Index) { return 77; });
+  ByteImage out(20, 20);
+  const Binarised found = binarise(flat.view(), out.view(), {.local = LocalThreshold{}});
+  EXPECT_EQ(found.foreground, Foreground::bright);
+  EXPECT_EQ(found.foreground_share, 0);
+}
+
+TEST(Binarise, foreground_of_one_pixel_is_all_or_nothing) {
+  const ByteImage pixel = image_by(1, 1, [](Index, Index) { return 200; });
+  ByteImage out(1, 1);
+  for (const auto& [foreground, share] :
+       {std::pair{Foreground::bright, 1.0}, {Foreground::dark, 0.0}}) {
+    const Binarisation request{.foreground = foreground, .threshold = 100};
+    EXPECT_EQ(binarise(pixel.view(), out.view(), request).foreground_share, share);
+  }
+}
+
 TEST(LikelyForeground, is_the_class_that_the_other_surrounds) {
   const BinaryImage dark = binarised(rectangle(200, 40));
   EXPECT_EQ(dark.foreground, Foreground::dark);
