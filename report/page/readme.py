@@ -150,7 +150,7 @@ def _pages(run: Run, _: list[str], folder: Path) -> str:
     failed, groups = (run.facts["controls"][name] for name in ("failed", "groups"))
     return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread; run of commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
-            f"{open_rows:,} of {len(run.rows):,} results had too few quiet moments, and the [controls](docs/measuring.md#how-it-is-measured) of {failed} of {groups} cases "
+            f"{open_rows:,} of {len(run.rows):,} results had too few quiet moments, and the controls of {failed} of {groups} cases "
             f"failed.\n")
 
 

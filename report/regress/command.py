@@ -29,8 +29,8 @@ FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|
 
 EPILOG = """Two layers.
 Instructions are exact on the busiest machine: FAIL where a row takes over 1 % more,
-or another number of iterations. Times: without --against, times (speed-ups, where references
-moved) are compared with the baseline of this processor, compiler and flags, in the same state of the
+or another number of iterations. Times: without --against, they (speed-ups, where references moved)
+are compared with the baseline of this processor, compiler and flags, in the same state of the
 machine; a row may lose 10 % (20 % on images beyond the cache). With --against both builds are
 measured side by side, and a row may lose 2.5 %; the commit is built once, in build/against/, and
 rows whose machine code is the same pass unmeasured. What is not clear is measured further, and is

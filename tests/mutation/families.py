@@ -89,5 +89,6 @@ FAMILIES = (
            ("thinning_test", API, crosscheck("list_*", "labels_*"))),
     Family("api", ("api/edges.cpp", "api/localise.cpp", "api/midpoint_scan.cpp", "api/regions.cpp", "api/rule.cpp", "api/thinning.cpp",
                    "thinning/operations.cpp"),
-           (API, "regions_test"), (SOME_TABLES, "rules_test", "engines_test Rules.*", "thinning_test", "localise_test", "scan_test", GOLDEN)),
+           (API, "regions_test"),
+           (SOME_TABLES, "rules_test", "engines_test Rules.*", "thinning_test", "localise_test", "scan_test", GOLDEN)),
 )
