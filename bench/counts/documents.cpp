@@ -24,12 +24,12 @@ Json count_json(const RowCount& count) {
   Json json = {{"row", row.name}};
   json.update(row_json(row));
   json.update({{"instructions", count.instructions}, {"method", method_name(count.method)}});
-  if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
+  if (row.iterations) json["iterations"] = *row.iterations;
   return json;
 }
 
-std::string counter_of(const TimedRow& row) {
-  return row.counter ? std::to_string(*row.counter) : "";
+std::string iterations_of(const TimedRow& row) {
+  return row.iterations ? std::to_string(*row.iterations) : "";
 }
 
 /// What must be equal for counts to be comparable: compiler and flags, the C library and the
@@ -60,10 +60,10 @@ Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t
 
 std::string counts_table(const RowCounts& counts) {
   std::string text =
-      fmt::format("{:<80} {:>12} {:>8}  {}\n", "row", "instructions", "counter", "counted by");
+      fmt::format("{:<80} {:>12} {:>10}  {}\n", "row", "instructions", "iterations", "counted by");
   for (const RowCount& count : counts.rows) {
-    text += fmt::format("{:<80} {:>12} {:>8}  {}\n", count.row->name, count.instructions,
-                        counter_of(*count.row), method_name(count.method));
+    text += fmt::format("{:<80} {:>12} {:>10}  {}\n", count.row->name, count.instructions,
+                        iterations_of(*count.row), method_name(count.method));
   }
   return text;
 }

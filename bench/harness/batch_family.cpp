@@ -101,7 +101,7 @@ Operation operation_of(const BatchRule& batch_rule) {
         library_variant({"batch", isa, false, detail::kMaxLaneWidth, priority + 1},
                         by_batches(rule, isa), "one image per lane of a vector register"));
   }
-  operation.counter = "iterations";
+  operation.counts_iterations = true;
   operation.operation = name;
   operation.border = Border::background;
   operation.timed = false;

@@ -149,7 +149,7 @@ Operation operation_of(const std::string& kind, const CollectionCase& one, Thin 
                           job_of(one, isa, by_library), "the library's choice"));
     }
   }
-  operation.counter = "iterations";
+  operation.counts_iterations = true;
   operation.small_sets_only = true;
   operation.timed = false;
   return operation;

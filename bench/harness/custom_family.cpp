@@ -68,7 +68,7 @@ Operation operation_of_case(std::size_t index) {
                  return thinning_job(make_state(variant, width, height, parameters, threads));
                });
   for (Variant& variant : operation.variants) variant.has_kernel_scope = true;
-  operation.counter = "iterations";
+  operation.counts_iterations = true;
   operation.operation = custom.name;
   operation.border = Border::background;
   if (custom.max_iterations != kUnlimited) operation.max_iterations = custom.max_iterations;

@@ -44,8 +44,8 @@ struct Operation {
   InputKind takes;
   std::vector<Variant> variants;
   JobMaker reference;
-  /// What the first of its numbers counts, where that is worth a column: "iterations".
-  std::string_view counter = {};
+  /// The first of its numbers is the number of iterations.
+  bool counts_iterations = false;
   /// A net whose images are those of the rule that it learned.
   bool is_net = false;
   /// Too slow for the big sets of test images; another operation covers the same code.

@@ -205,7 +205,7 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
   for (Variant& variant : result.variants) {
     variant.has_kernel_scope = has_kernel_scope(variant.technique);
   }
-  result.counter = "iterations";
+  result.counts_iterations = true;
   result.is_net = is_net && is_exact(rule);
   result.border = repetition.border;
   if (repetition.max_iterations != kUnlimited) result.max_iterations = repetition.max_iterations;

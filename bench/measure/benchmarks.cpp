@@ -98,8 +98,8 @@ class Registered {
     const auto pixels = static_cast<double>(row.input->width() * row.input->height());
     state.counters["pixels_per_second"] =
         benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate);
-    if (row.counter) {
-      state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
+    if (row.iterations) {
+      state.counters["thinning_iterations"] = static_cast<double>(*row.iterations);
     }
   }
 

@@ -60,7 +60,7 @@ Json known_json(const KnownRow& known) {
   const bool is_reference = row.variant == nullptr;
   Json object = row_json(row);
   object.update(
-      {{"counter", or_null(row.counter)},
+      {{"iterations", or_null(row.iterations)},
        {"peer", row.is_peer()},
        {"default", !is_reference && is_default(*row.operation, *row.variant, row.input->width())},
        {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))},

@@ -209,7 +209,9 @@ class Selector {
 
   void add(TimedRow row, const Outcome& expected) {
     const bool own_reference = row.variant != nullptr && row.variant->own_reference;
-    if (!row.operation->counter.empty() && !own_reference) row.counter = expected.numbers.front();
+    if (row.operation->counts_iterations && !own_reference) {
+      row.iterations = expected.numbers.front();
+    }
     selection_.rows.push_back(std::move(row));
   }
 

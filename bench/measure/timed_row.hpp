@@ -28,7 +28,7 @@ struct TimedRow {
   int threads;
   Scope scope;
   const TimedInput* input;
-  std::optional<std::int64_t> counter = std::nullopt;  // see Operation::counter
+  std::optional<std::int64_t> iterations = std::nullopt;
 
   [[nodiscard]] const JobMaker& maker() const {
     return variant != nullptr ? variant->make_job : operation->reference;

@@ -35,7 +35,7 @@ class Row:  # pylint: disable=too-many-instance-attributes
     input: str
     width: int
     height: int
-    passes: int | None
+    iterations: int | None
     time_ns: float
     high_ns: float
     typical_ns: float
@@ -128,7 +128,7 @@ def _row(facts: Json, row: Json, time: Time, reference: Time | None, peer: tuple
     return Row(
         **{key: row[key] for key in ("operation", "technique", "isa", "threads", "scope", "input", "border",
                                      "max_iterations", "peer", "default", "scalar")},
-        width=size["width"], height=size["height"], passes=row["counter"],
+        width=size["width"], height=size["height"], iterations=row["iterations"],
         time_ns=time.value, high_ns=time.high, typical_ns=time.typical,
         ns_per_pixel=time.value / (size["width"] * size["height"]), verified=verified,
         speedup_vs_reference=speedup.value if speedup else None,

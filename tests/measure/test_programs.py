@@ -55,8 +55,8 @@ def test_facts_tell_of_the_row_and_its_reference(facts: Path) -> None:
     assert list(document) == ["sources", "inputs", "peers", "rows", "skipped", "verified", "mismatches"]
     assert sorted(document["rows"]) == [NAME, REFERENCE] and document["verified"] == 1
     row = document["rows"][NAME]
-    assert {"case", "operation", "border", "max_iterations", "technique", "isa", "threads", "scope", "input", "counter",
-            "peer", "default", "scalar", "seconds", "hash"} == set(row)
+    assert {"case", "operation", "border", "max_iterations", "technique", "isa", "threads", "scope", "input",
+            "iterations", "peer", "default", "scalar", "seconds", "hash"} == set(row)
     assert row["hash"] == document["rows"][REFERENCE]["hash"] and row["seconds"] > 0
     assert [item["name"] for item in document["inputs"]] == ["square_64"]
 
@@ -157,3 +157,14 @@ def test_google_benchmarks_json_has_every_repetition() -> None:
     names = [row["name"] for row in found if row["run_type"] == "iteration"]
     assert names.count(NAME) == 4
     assert all(row["probe_before"] > 0 for row in found if row["run_type"] == "iteration")
+
+
+def test_google_benchmarks_json_names_each_value_of_a_repetition_once() -> None:
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        assert len(dict(pairs)) == len(pairs), pairs
+        return dict(pairs)
+
+    done = benchmarks("--input", "square_64", "--benchmark_filter=^thin_guo_hall/lut/baseline/1",
+                      "--seconds-per-row", "0", "--benchmark_format=json")
+    row = json.loads(done.stdout, object_pairs_hook=once)["benchmarks"][0]
+    assert row["thinning_iterations"] > 1 and row["iterations"] >= 1

@@ -66,7 +66,7 @@ def _isa(technique: str) -> str:
 def _row(technique: str, name: str) -> Json:
     return {"case": "thin_guo_hall", "operation": "thin_guo_hall", "border": "background",
             "max_iterations": None, "technique": technique, "isa": _isa(technique), "threads": 1,
-            "scope": "end_to_end", "input": name, "counter": 7,
+            "scope": "end_to_end", "input": name, "iterations": 7,
             "peer": technique in (EQUAL_PEER, *OTHER_PEERS),
             "default": technique == "simd_bitpacked", "scalar": technique == "bitpacked",
             "seconds": 1e-9 * TIMES[technique], "hash": "0" * 16}
