@@ -129,10 +129,10 @@ def _bound(line: Headline | None) -> str:
     what = {"read_bits": "packing the image and reading its words",
             "copy_bits": "packing the image, copying and unpacking it"}.get(
                 line.copy.technique, "a copy of the image")
-    best = duration(line.best.time_ns)
+    best, kind = duration(line.best.time_ns), options(line.best)
     relation = "more than" if share > 1 else f"{100 * share:.0f} % of" if share >= 0.01 else "under 1 % of"
     return (f"To compare with: {what} takes {duration(line.copy.time_ns)}, {relation} the {best} "
-            "of the variant that the library chooses.")
+            f"of the variant that the library chooses{'' if kind == 'none' else f', {kind}'}.")
 
 
 def _ratio(value: float | None) -> Cell:

@@ -133,7 +133,7 @@ def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float, j
                         Times(before["time_ns"], before["reference_ns"]),
                         Times(row.time_ns, reference), speedup)
     doubt = _moved(before["reference_ns"], reference) or {
-        "": "", "open": "its time did not settle", "control": "the controls of its group failed"}[row.flags]
+        "": "", "open": "its time did not settle", "control": "the controls of its case failed"}[row.flags]
     return result.doubted(doubt) if verdict == Verdict.FAIL and doubt else result
 
 

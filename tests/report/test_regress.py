@@ -104,7 +104,7 @@ OTHER_STATE = "another state of the machine: the reference took"
     (1.0, {}, PASS, ""), (1.2, {}, FAIL, ""),
     (1.0, {"noise": Noise(clock=2)}, PASS, ""), (1.2, {"noise": Noise(clock=2)}, FAIL, ""),  # compared in clock cycles
     (1.5, {"reference": 0.8}, INCONCLUSIVE, OTHER_STATE), (1.3, {"reference": 1.3}, PASS, ""),
-    (1.5, {"noise": Noise(same=1.05)}, INCONCLUSIVE, "the controls of its group failed")])
+    (1.5, {"noise": Noise(same=1.05)}, INCONCLUSIVE, "the controls of its case failed")])
 def test_only_a_slowdown_in_the_same_state_fails(slower: float, options: dict[str, Any], verdict: Verdict,
                                                  reason: str) -> None:
     row = verdict_on(measured(), measured(slower, **options))
