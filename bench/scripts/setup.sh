@@ -8,7 +8,7 @@ packages=(g++ cmake ninja-build git libbenchmark-dev libgtest-dev libtbb-dev lib
 [ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev)
 many_images_packages=(python3-opencv python3-skimage python3-dask python3-distributed)
 # Of the tests alone.
-test_packages=(clang-format chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
+test_packages=(clang-format chromium chromium-driver dpkg-dev file pkg-config mypy python3-pytest python3-selenium
   python3-build python3-pip python3-setuptools python3-venv python3-wheel python3-hypothesis
   python3-pil python3-tifffile python3-zarr imagemagick "${many_images_packages[@]}")
 
