@@ -86,7 +86,7 @@ void run_with_little_memory(int threads) {
   std::_Exit(visits == 100'000 ? 0 : 1);
 }
 
-TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
+TEST(ThreadTeamDeathTest, runs_with_fewer_threads_where_the_system_does_not_start_more) {
 #ifdef THINBENCH_SANITIZED
   GTEST_SKIP() << "sanitizers need address space without a limit";
 #endif
@@ -111,7 +111,7 @@ void start_more_threads_than_the_system_does() {
   std::_Exit(good && started == 12 ? 0 : 1);
 }
 
-TEST(ThreadTeam, tries_to_start_more_threads_only_when_a_limit_has_changed) {
+TEST(ThreadTeamDeathTest, tries_to_start_more_threads_only_when_a_limit_has_changed) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(start_more_threads_than_the_system_does(), testing::ExitedWithCode(0), "^$");
 }
@@ -125,7 +125,7 @@ void run_beyond_the_limit_of_the_program() {
   std::_Exit(0);
 }
 
-TEST(ThreadTeam, prints_nothing_where_the_program_allows_fewer_threads) {
+TEST(ThreadTeamDeathTest, prints_nothing_where_the_program_allows_fewer_threads) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(run_beyond_the_limit_of_the_program(), testing::ExitedWithCode(0), "^$");
 }
