@@ -28,10 +28,6 @@ Json count_json(const RowCount& count) {
   return json;
 }
 
-std::string iterations_of(const TimedRow& row) {
-  return row.iterations ? std::to_string(*row.iterations) : "";
-}
-
 /// What must be equal for counts to be comparable: compiler and flags, the C library and the
 /// highest ISA of the processor, which its functions choose by.
 Json build_json() {
@@ -62,8 +58,9 @@ std::string counts_table(const RowCounts& counts) {
   std::string text =
       fmt::format("{:<80} {:>12} {:>10}  {}\n", "row", "instructions", "iterations", "counted by");
   for (const RowCount& count : counts.rows) {
+    const auto& iterations = count.row->iterations;
     text += fmt::format("{:<80} {:>12} {:>10}  {}\n", count.row->name, count.instructions,
-                        iterations_of(*count.row), method_name(count.method));
+                        iterations ? std::to_string(*iterations) : "", method_name(count.method));
   }
   return text;
 }
