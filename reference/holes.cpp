@@ -168,7 +168,7 @@ Regions holes(ConstImageView source) {
   return find(source, Neighbours::eight);
 }
 
-Regions components(ConstImageView source) {
+Regions objects(ConstImageView source) {
   return {find(source, Neighbours::eight).objects, {}};
 }
 
@@ -185,11 +185,11 @@ Regions label_regions(ConstImageView source, LabelView labels) {
   return found;
 }
 
-std::vector<Region> label_components(ConstImageView source, LabelView labels) {
+std::vector<Region> label_objects(ConstImageView source, LabelView labels) {
   return label_objects(source, labels, Neighbours::eight);
 }
 
-std::vector<Region> label_components_4(ConstImageView source, LabelView labels) {
+std::vector<Region> label_objects_4(ConstImageView source, LabelView labels) {
   return label_objects(source, labels, Neighbours::four);
 }
 

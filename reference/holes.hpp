@@ -47,7 +47,7 @@ struct Regions {
 [[nodiscard]] Regions holes(ConstImageView source);
 
 /// The objects only.
-[[nodiscard]] Regions components(ConstImageView source);
+[[nodiscard]] Regions objects(ConstImageView source);
 
 /// The same, and the label of every pixel: the number of its object from 1; the number of objects
 /// plus that of its hole; else 0.
@@ -55,8 +55,8 @@ Regions label_regions(ConstImageView source, LabelView labels);
 
 /// Objects that are 8- or 4-connected, numbered in raster order of first pixels, and the number of
 /// each pixel's object, 0 in the background.
-std::vector<Region> label_components(ConstImageView source, LabelView labels);
-std::vector<Region> label_components_4(ConstImageView source, LabelView labels);
+std::vector<Region> label_objects(ConstImageView source, LabelView labels);
+std::vector<Region> label_objects_4(ConstImageView source, LabelView labels);
 
 /// Writes 255 on objects and everything they enclose: only background that is 4-connected to the
 /// border remains background. `destination` may be the source.

@@ -46,8 +46,8 @@ ABOUT_LARGE = (" These pages pass through memory, which other programs share; pr
 WITHOUT_SLOW = "^(?!(?:thin_[^/]*/opencv|holes/opencv_contours)/)(?=.*(?:{}))"
 """Of the rows of a filter, on drawn pages: OpenCV's thinning and contours take seconds there, beyond what is measured."""
 
-OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_suen:keep|thin_mb2|skeleton_scan|edges_sobel|"
-              "holes|components|fill_holes|euler_number|label_image|label_image_4|label_components|label_regions|"
+OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_suen:keep|thin_mb2|midpoint_scan|edges_sobel|"
+              "holes|objects|fill_holes|euler_number|label_image|label_image_4|label_objects|label_regions|"
               "localise_objects|squared_distances|skeleton_graph)/.*/1/end_to_end/")
 
 LIST = "files.txt"

@@ -28,7 +28,7 @@ std::vector<std::string_view> measured_operations() {
     if (info.rule == BuiltInRule::spta_directional) names.push_back("thin_spta");
     names.push_back(info.operation);
   }
-  names.push_back("skeleton_scan");
+  names.push_back("midpoint_scan");
   return names;
 }
 

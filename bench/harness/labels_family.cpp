@@ -32,14 +32,14 @@ reference::Regions labelled(LabelTask task, const ConstImageView& input, const L
     case LabelTask::regions:
       return reference::label_regions(input, labels);
     case LabelTask::objects_eight:
-      return {reference::label_components(input, labels), {}};
+      return {reference::label_objects(input, labels), {}};
     case LabelTask::objects_four:
-      return {reference::label_components_4(input, labels), {}};
+      return {reference::label_objects_4(input, labels), {}};
     case LabelTask::image_eight:
-      reference::label_components(input, labels);
+      reference::label_objects(input, labels);
       return {};
     case LabelTask::image_four:
-      reference::label_components_4(input, labels);
+      reference::label_objects_4(input, labels);
       return {};
   }
   throw std::logic_error("a task of labels has no reference");

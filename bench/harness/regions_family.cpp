@@ -119,7 +119,7 @@ Operation list_operation(detail::ListOperation operation) {
   Operation result = packed_operation<RegionLists>(
       operation, {with_holes},
       job_maker<RegionLists>([with_holes](const auto& input, const auto&, auto& found) {
-        found.lists = lists_of(with_holes ? reference::holes(input) : reference::components(input));
+        found.lists = lists_of(with_holes ? reference::holes(input) : reference::objects(input));
       }));
   add_technique<RegionLists, detail::UnionFind>(
       result, "union_find",

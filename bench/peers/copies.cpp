@@ -120,7 +120,7 @@ std::vector<Variant> copy_bits_peers(const Operation& operation) {
         [](Index width, Index height, int) { return std::make_unique<CopyBitsJob>(width, height); },
         plain_copy()));
   }
-  for (const char* name : {"holes", "components", "euler_number", "euler_number_4"}) {
+  for (const char* name : {"holes", "objects", "euler_number", "euler_number_4"}) {
     if (operation.name != name) continue;
     return with_kernel_scope(peer_variant(
         "read_bits", "no operation: the image packed, its words read",

@@ -123,7 +123,7 @@ std::vector<Variant> opencv_holes_peers(const Operation& operation) {
       peer_variant("opencv_components", "OpenCV: connectedComponents, objects without sums",
                    counting_peer(Components()), counting_peer(&objects_alone));
   if (operation.name == "holes") return {contours, stats};
-  if (operation.name == "components") return {stats};
+  if (operation.name == "objects") return {stats};
   if (operation.name == "euler_number") return {components};
   return {};
 }

@@ -75,8 +75,8 @@ std::vector<Variant> opencv_labels_peers(const Operation& operation) {
   constexpr int eight = 8;
   if (operation.name == "label_image") return label_peers(eight);
   if (operation.name == "label_image_4") return label_peers(four);
-  if (operation.name == "label_components") return table_peers(eight, "label_image");
-  if (operation.name == "label_components_4") return table_peers(four, "label_image_4");
+  if (operation.name == "label_objects") return table_peers(eight, "label_image");
+  if (operation.name == "label_objects_4") return table_peers(four, "label_image_4");
   return {};
 }
 

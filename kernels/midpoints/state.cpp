@@ -124,7 +124,7 @@ const MidpointOperation& midpoint_operation() {
       list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
     }
     return MidpointOperation{{},
-                             "skeleton_scan",
+                             "midpoint_scan",
                              "the paper's own method: midpoints of foreground runs along rows, "
                              "columns and both diagonals",
                              list.take()};

@@ -96,8 +96,7 @@ std::span<const ListOperation> list_operations() {
   static const auto& operations = never_destroyed(std::vector<ListOperation>{
       {true, "holes", "objects (8-connected) and their holes, with areas and centres",
        list_variants()},
-      {false, "components", "objects (8-connected) alone, with areas and centres",
-       list_variants()}});
+      {false, "objects", "objects (8-connected) alone, with areas and centres", list_variants()}});
   return operations;
 }
 
@@ -107,9 +106,9 @@ std::span<const LabelOperation> label_operations() {
        label_variants()},
       {LabelTask::image_four, "label_image_4", "label image of 4-connected objects",
        label_variants()},
-      {LabelTask::objects_eight, "label_components",
+      {LabelTask::objects_eight, "label_objects",
        "label image of 8-connected objects, with areas and centres", label_variants()},
-      {LabelTask::objects_four, "label_components_4",
+      {LabelTask::objects_four, "label_objects_4",
        "label image of 4-connected objects, with areas and centres", label_variants()},
       {LabelTask::regions, "label_regions",
        "label image of objects (8-connected) and their holes, with areas and centres",

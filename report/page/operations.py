@@ -11,7 +11,7 @@ from report.measure.timings import END_TO_END, Row
 COPIES = ("copy", "copy_bits", "read_bits")
 """Peers that are lower bounds: the image copied or read."""
 
-COPIED_ALIKE = ("thin_", "skeleton_scan", "net_")
+COPIED_ALIKE = ("thin_", "midpoint_scan", "net_")
 """Cases that all read one byte per pixel and write one: the copy of one is that of the others."""
 
 ARITHMETIC = ("simd_float_bits", "simd_fixed_point", "autovec")
@@ -24,14 +24,14 @@ LABELS = {
     "thin_mb2": "MB2", "thin_spta_directional": "SPTA, directional",
     "thin_spta": "SPTA, sequential", "thin_lu_wang": "Lü-Wang", "thin_guo_hall_skimage": "Guo-Hall as in scikit-image",
     "thin_zhang_suen_skimage": "Zhang-Suen as in scikit-image",
-    PRINTED_RULE: "the paper's rule", "skeleton_scan": "midpoint scan",
+    PRINTED_RULE: "the paper's rule", "midpoint_scan": "midpoint scan",
     "edges_sobel": "Sobel edges", "edges_prewitt": "Prewitt edges",
     "edges_roberts4": "Roberts edges, 2 × 2", "edges_roberts9": "Roberts edges, 3 × 3",
     "edges_mero_vassy": "Mero-Vassy edges, 3 × 3", "edges_mero_vassy_5x5": "Mero-Vassy edges, 5 × 5",
-    "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
+    "holes": "objects and holes", "objects": "objects", "fill_holes": "filled holes",
     "fill_holes_4": "filled holes, 4-conn.",
     "label_image": "label image", "label_image_4": "label image, 4-conn.",
-    "label_components": "label image and objects", "label_components_4": "label image and objects, 4-conn.",
+    "label_objects": "label image and objects", "label_objects_4": "label image and objects, 4-conn.",
     "label_regions": "label image, objects and holes",
     "euler_number": "Euler number, 8-conn.", "euler_number_4": "Euler number, 4-conn.",
     "localise_objects": "grey image to centres",
@@ -44,7 +44,7 @@ LABELS = {
 
 HEADLINES = (
     "thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_zhang_suen:keep", "thin_mb2",
-    PRINTED_RULE, "skeleton_scan", "edges_sobel", "holes", "label_image", "euler_number", "localise_objects",
+    PRINTED_RULE, "midpoint_scan", "edges_sobel", "holes", "label_image", "euler_number", "localise_objects",
     "net_two_layer_linear")
 """Cases of the first table."""
 

@@ -20,7 +20,7 @@ class PaperRow:
 
 
 PAPER = (PaperRow("Hole detection and localisation", "holes", 0.67),
-         PaperRow("Original skeleton", "skeleton_scan", 0.31),
+         PaperRow("Original skeleton", "midpoint_scan", 0.31),
          PaperRow("Naccache-Shinghal", PRINTED_RULE, 0.73),
          PaperRow("Two-layer net, sigmoid", "net_two_layer_sigmoid", 5.11),
          PaperRow("Two-layer net, linear threshold", "net_two_layer_linear", 3.54),

@@ -23,7 +23,7 @@ from report.row_options import (add_row_options, binarise_words, check_binarise_
 
 BASELINES = ROOT / "results" / "baselines"
 
-FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edges_sobel|holes|"
+FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|midpoint_scan|edges_sobel|holes|"
           "localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|"
           "simd_bitpacked_row|simd_16bit|simd_runs)/[a-z0-9.]+/1/")
 

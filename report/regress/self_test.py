@@ -23,7 +23,7 @@ from report.regress import builds, stored, times
 from report.regress.builds import Pair
 from report.regress.verdicts import EXIT_STATUS, MAX_ROUNDS, RowVerdict, Verdict, decide, overall
 
-FILTER = ("^(skeleton_scan/.*bitpacked|edges_sobel/simd_16bit|holes/.*_runs)/[a-z0-9.]+/1/"
+FILTER = ("^(midpoint_scan/.*bitpacked|edges_sobel/simd_16bit|holes/.*_runs)/[a-z0-9.]+/1/"
           "end_to_end/")
 BUSY_LOOP = "while :; do :; done"
 COMPILER = "while :; do echo '#include <regex>' | c++ -std=c++20 -O2 -x c++ -c -o /dev/null -; done"

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 from report.measure.timings import REFERENCE, Row
 
-DRAWN = ("thin_guo_hall", "thin_naccache_shinghal", "skeleton_scan", "edges_sobel", "holes",
+DRAWN = ("thin_guo_hall", "thin_naccache_shinghal", "midpoint_scan", "edges_sobel", "holes",
          "localise_objects")
 THINNING = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "thin_spta_directional",
             "thin_mb2")
-NOISE = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "thin_mb2", "skeleton_scan", "edges_sobel",
-         "holes", "components", "fill_holes", "euler_number", "label_image", "label_components", "label_regions",
+NOISE = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "thin_mb2", "midpoint_scan", "edges_sobel",
+         "holes", "objects", "fill_holes", "euler_number", "label_image", "label_objects", "label_regions",
          "localise_objects", "squared_distances", "skeleton_graph")
 """Of every family."""
 
@@ -70,7 +70,7 @@ SWEEPS = (
           lambda row: row.width, max_call=0.03),
     Sweep("threads", "threads", DRAWN, lambda quick: ["scene"] if quick else ["scene", "tiled_5"],
           lambda row: row.threads, threads="[0-9]+", max_call=0.03),
-    Sweep("depth", "side of the foreground squares, pixels", (*THINNING, "skeleton_scan"),
+    Sweep("depth", "side of the foreground squares, pixels", (*THINNING, "midpoint_scan"),
           depth_inputs, lambda row: _number(row, 1)),
     Sweep("enlarged", "times that the scene is enlarged", (*THINNING, "holes"),
           lambda quick: [f"enlarged_{times}" for times in ((1, 2) if quick else (1, 2, 4))],

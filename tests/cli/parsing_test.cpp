@@ -68,7 +68,7 @@ TEST_F(Program, rejects_unknown_words_with_the_nearest_and_missing_and_excess_on
       {2, run + " --isa avx2 --isa avx2", {"--isa may be given only once" + see}},
       {2,
        "run list holes run",
-       {"no operation is named 'list'; known: skeleton_scan, thin_naccache_shinghal, "}},
+       {"no operation is named 'list'; known: midpoint_scan, thin_naccache_shinghal, "}},
   });
 }
 

@@ -76,12 +76,12 @@ TEST_F(Rules, the_scan_has_the_border_background_or_keep) {
   for (const Border border : {Border::background, Border::keep}) {
     ByteImage expected = noise();
     midpoint_scan(expected.view(), expected.view(), {}, border);
-    run("skeleton_scan --border " + std::string(border_name(border)));
+    run("midpoint_scan --border " + std::string(border_name(border)));
     expect_image("out.png", expected);
   }
   expect_rejected({2,
-                   "run skeleton_scan --border foreground in.png no.png",
-                   {"skeleton_scan: border: expected background or keep, got foreground"}});
+                   "run midpoint_scan --border foreground in.png no.png",
+                   {"midpoint_scan: border: expected background or keep, got foreground"}});
 }
 
 TEST_F(Rules, names_notations_and_files_that_are_no_rules_are_rejected) {
@@ -93,7 +93,7 @@ TEST_F(Rules, names_notations_and_files_that_are_no_rules_are_rejected) {
   fs::resize_file("huge.json", std::uintmax_t{1} << 30);
   expect_rejected({
       {2, "run majorty in.png out.png", {"'majorty'; did you mean 'majority'?"}},
-      {2, "run wxyz in.png out.png", {"'wxyz'; known: skeleton_scan, thin_naccache_shinghal, "}},
+      {2, "run wxyz in.png out.png", {"'wxyz'; known: midpoint_scan, thin_naccache_shinghal, "}},
       {2, "run B9/S23 in.png out.png", {"'B9/S23', column 2", "digit from 0 to 8, got '9'"}},
       {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},
       {2, "run B3/S23 in.png out.png", {"B3/S23" + limit}},

@@ -97,9 +97,9 @@ TEST_F(RunCommand, directions_select_those_of_the_scan) {
   directions.add(Direction::diagonals);
   ByteImage expected = bright(61);
   midpoint_scan(expected.view(), expected.view(), directions);
-  output_of("run skeleton_scan in.png out.png --directions rows,diagonals");
+  output_of("run midpoint_scan in.png out.png --directions rows,diagonals");
   expect_image("out.png", expected);
-  output_of("run skeleton_scan in.png out.png --directions columns");
+  output_of("run midpoint_scan in.png out.png --directions columns");
   EXPECT_FALSE(equal(read_grey("out.png").view(), expected.view()));
 }
 
@@ -117,7 +117,7 @@ TEST_F(RunCommand, a_file_of_several_pages_is_not_replaced_by_one_page) {
 
 TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
   const std::string guo_hall = "run thin_guo_hall in.png out.png ";
-  const std::string scan = "run skeleton_scan in.png out.png --directions ";
+  const std::string scan = "run midpoint_scan in.png out.png --directions ";
   expect_rejected({
       {2, "run thin_nacache in.png out.png", {"'thin_nacache'", "'thin_naccache_shinghal'?"}},
       {2, guo_hall + "--isa base-line", {"'base-line'", "'baseline'?"}},
@@ -133,9 +133,9 @@ TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
        {"weights.json", "net_two_layer_linear needs two_layer"}},
       {2, scan + "rows,colums", {"'colums'", "'columns'?"}},
       {2, scan + "rows,rows", {"'rows,rows' names rows twice"}},
-      {2, "run skeleton_scan in.png out.png --max-iterations 3", {"has no iterations"}},
-      {2, "run skeleton_scan in.png out.png --weights weights.json", {"has no weights"}},
-      {2, "run skeleton_scan in.png out.pbm", {"skeleton_scan does not take packed files"}},
+      {2, "run midpoint_scan in.png out.png --max-iterations 3", {"has no iterations"}},
+      {2, "run midpoint_scan in.png out.png --weights weights.json", {"has no weights"}},
+      {2, "run midpoint_scan in.png out.pbm", {"midpoint_scan does not take packed files"}},
       {2,
        "run thin_spta in.png out.png",
        {"thin_spta is a part of the study: 'thinbench_benchmarks --pictures DIRECTORY"}},

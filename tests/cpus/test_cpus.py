@@ -20,7 +20,7 @@ CPUS: dict[str, tuple[set[str], dict[str, str]]] = {
     "max,-xsave": ({"baseline", "sse4.2"}, {"avx2": "avx2"}),  # the system does not keep wide registers
 }
 """By processor: the instruction sets that run, and what is said to be missing for others. The emulator has no AVX-512."""
-QUICK = "^(thin_guo_hall|thin_mb2|edges_sobel|euler_number|skeleton_scan|net_two_layer_linear:1)/simd"
+QUICK = "^(thin_guo_hall|thin_mb2|edges_sobel|euler_number|midpoint_scan|net_two_layer_linear:1)/simd"
 """A few seconds of work without an emulator."""
 
 

@@ -43,10 +43,10 @@ using Result = std::string;
 /// changed, and the other cases on this image are meaningless.
 inline constexpr const char* kInput = "input";
 
-inline constexpr std::array kOtherBinary = {
-    "holes",          "components",  "fill_holes",    "fill_holes_4",     "euler_number",
-    "euler_number_4", "label_image", "label_image_4", "label_components", "label_components_4",
-    "label_regions"};
+inline constexpr std::array kOtherBinary = {"holes",           "objects",       "fill_holes",
+                                            "fill_holes_4",    "euler_number",  "euler_number_4",
+                                            "label_image",     "label_image_4", "label_objects",
+                                            "label_objects_4", "label_regions"};
 inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "edges_mero_vassy",
                                      "edges_mero_vassy_5x5", "edges_sobel",    "edges_prewitt",
                                      "localise_objects"};
@@ -57,7 +57,7 @@ inline std::vector<Case> thinning_cases_on(const std::string& image) {
     for (const auto& operation : detail::study::thinning_operations()) {
       cases.push_back({std::string(operation.name), border, image});
     }
-    cases.push_back({"skeleton_scan", border, image});
+    cases.push_back({"midpoint_scan", border, image});
   }
   return cases;
 }
@@ -105,7 +105,7 @@ inline ByteImage unwritten(Index width, Index height) {
 
 /// Of the product or, where it has none of this name, of the study by its best variant.
 inline int thinned(const Case& one, const ByteImage& image, const ImageView& output, int threads) {
-  if (one.operation == "skeleton_scan") {
+  if (one.operation == "midpoint_scan") {
     midpoint_scan(image.view(), output, {}, border_of(one), {.threads = threads});
     return 1;
   }
@@ -155,7 +155,7 @@ inline std::vector<std::int64_t> labels_found(std::string_view operation, ConstI
   std::vector<std::int64_t> numbers;
   if (operation == "label_regions") {
     numbers = lists_of(label_regions(image, view, execution));
-  } else if (operation.starts_with("label_components")) {
+  } else if (operation.starts_with("label_objects")) {
     numbers =
         lists_of({label_objects(image, view, connectivity, LabelOrder::pixels, execution), {}});
   } else {
@@ -170,7 +170,7 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
                                                int threads) {
   const Execution execution = {.threads = threads};
   if (operation == "holes") return lists_of(find_regions(image, execution));
-  if (operation == "components") return lists_of({find_objects(image, execution), {}});
+  if (operation == "objects") return lists_of({find_objects(image, execution), {}});
   if (operation == "euler_number") return {euler_number(image, Connectivity::eight, execution)};
   if (operation == "euler_number_4") return {euler_number(image, Connectivity::four, execution)};
   if (operation.starts_with("label_")) return labels_found(operation, image, execution);
@@ -191,7 +191,7 @@ inline Result run_case(const Case& one, const ByteImage& image, int threads) {
 /// By the reference; only for thinning.
 inline Result run_reference(const Case& one, const ByteImage& image) {
   Thinned result = {unwritten(image.width(), image.height()), 0};
-  if (one.operation == "skeleton_scan") {
+  if (one.operation == "midpoint_scan") {
     result.iterations =
         reference::midpoint_scan({}, border_of(one), image.view(), result.image.view());
   } else {

@@ -175,9 +175,8 @@ TEST(Rows, every_row_has_a_name_of_its_own) {
 }
 
 TEST_F(SelectRows, kernels_that_give_numbers_alone_have_an_outcome_too) {
-  const Selection selection =
-      select_rows({.filter = "^(holes|components|euler_number)/(bitpacked|union).*/1/"},
-                  all_operations(), inputs);
+  const Selection selection = select_rows(
+      {.filter = "^(holes|objects|euler_number)/(bitpacked|union).*/1/"}, all_operations(), inputs);
   ASSERT_FALSE(selection.rows.empty());
   for (const TimedRow& row : selection.rows) {
     TimedCall call(row);

@@ -79,7 +79,7 @@ TEST(MidpointScanProperties, all_directions_together_mark_a_subset_with_a_pixel_
     EXPECT_EQ(pixels_outside(marks, image), 0);
     std::vector<std::int32_t> labels(static_cast<std::size_t>(image.width() * image.height()));
     const LabelView view = {labels.data(), image.width(), image.height()};
-    const auto objects = reference::label_components(image.view(), view);
+    const auto objects = reference::label_objects(image.view(), view);
     std::set<std::int32_t> hit;
     for (Index y = 0; y < image.height(); ++y) {
       for (Index x = 0; x < image.width(); ++x) {

@@ -54,8 +54,7 @@ ByteImage padded(const ByteImage& image) {
 
 std::size_t components_of(const ByteImage& image, int connectivity) {
   std::vector<std::int32_t> labels(static_cast<std::size_t>(image.width() * image.height()));
-  const auto label =
-      connectivity == 8 ? reference::label_components : reference::label_components_4;
+  const auto label = connectivity == 8 ? reference::label_objects : reference::label_objects_4;
   return label(image.view(), {labels.data(), image.width(), image.height()}).size();
 }
 

@@ -84,7 +84,7 @@ using Values = std::vector<std::int32_t>;
 /// By the reference of labels, a value after the other, renumbered in raster order.
 Values labels_by_reference(const ByteImage& image, int background, bool eight) {
   Values labels(static_cast<std::size_t>(image.width() * image.height()), 0);
-  const auto label = eight ? reference::label_components : reference::label_components_4;
+  const auto label = eight ? reference::label_objects : reference::label_objects_4;
   std::int32_t others = 0;  // the number of components of the values before
   for (int value = 0; value < 8; ++value) {
     if (value == background) continue;

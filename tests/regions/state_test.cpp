@@ -32,7 +32,7 @@ TEST(ListState, finds_the_same_objects_wherever_a_kernel_gives_up) {
       for (const ByteImage* one : {&image, &blocks, &image}) {
         Regions found;
         state->run(one->view(), found);
-        EXPECT_EQ(found.objects, reference::components(one->view()).objects);
+        EXPECT_EQ(found.objects, reference::objects(one->view()).objects);
         EXPECT_TRUE(found.holes.empty());
       }
     }

@@ -79,7 +79,7 @@ def test_a_file_that_is_no_image_is_named(study, image):
 
 
 def test_a_size_is_measured_once(study, tmp_path):
-    status, _ = study("--size", "64", "--size", "64", "--filter", "^components/", "--no-peers")
+    status, _ = study("--size", "64", "--size", "64", "--filter", "^objects/", "--no-peers")
     assert status == 0
     names = [(row.operation, row.technique, row.isa, row.threads, row.scope, row.input, row.border)
              for row in load_run(tmp_path / "run").rows]

@@ -44,7 +44,7 @@ Json json_of(const BatchRecord& record) {
           {"iterations", json_or_null(record.iterations)},
           {"foreground_before", json_or_null(record.foreground_before)},
           {"foreground_after", json_or_null(record.foreground_after)},
-          {"components", json_or_null(record.components)},
+          {"objects", json_or_null(record.objects)},
           {"holes", json_or_null(record.holes)},
           {"decode_seconds", to_microseconds(record.decode_seconds)},
           {"compute_seconds", to_microseconds(record.compute_seconds)},

@@ -27,7 +27,7 @@ struct BatchRecord {
   std::optional<int> iterations;
   std::optional<std::int64_t> foreground_before;  // pixels of the input's foreground
   std::optional<std::int64_t> foreground_after;   // pixels of the result
-  std::optional<std::int64_t> components;         // of the input's foreground, as are holes
+  std::optional<std::int64_t> objects;            // of the input's foreground, as are holes
   std::optional<std::int64_t> holes;
   double decode_seconds = 0;
   double compute_seconds = 0;

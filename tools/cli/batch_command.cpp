@@ -241,7 +241,7 @@ DIR, that of scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is D
 file of several pages becomes NAME_page1.png and so on or, with --format tiff, one file. Results appear
 whole or not at all; after a failure or a kill, --resume does what is left, and the failed images again.
 
-The manifest has the foreground chosen, numbers of pixels, components and holes of the foreground
+The manifest has the foreground chosen, numbers of pixels, objects and holes of the foreground
 before, seconds, warnings and errors. The exit status is 1 if any image failed.)";
 
 }  // namespace

@@ -34,7 +34,7 @@ void describe(const BinaryImage& binary, const BinariseOptions& options, BatchRe
 }
 
 void count(const Regions& found, BatchRecord& record) {
-  record.components = static_cast<std::int64_t>(found.objects.size());
+  record.objects = static_cast<std::int64_t>(found.objects.size());
   record.holes = static_cast<std::int64_t>(found.holes.size());
 }
 

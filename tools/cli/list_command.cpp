@@ -16,7 +16,7 @@ int list(std::ostream& out) {
     }
   };
   add(kRules, "run, batch");
-  lines.push_back({"skeleton_scan", "run, batch", "midpoints of the runs of foreground pixels"});
+  lines.push_back({"midpoint_scan", "run, batch", "midpoints of the runs of foreground pixels"});
   add(kEdgeOperators, "edges, batch");
   lines.push_back({"holes", "holes, batch", "objects and their holes: area, centre, box"});
   lines.push_back({"localise", "localise, batch", "the same from a grey image, by edges"});

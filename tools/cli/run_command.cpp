@@ -105,7 +105,7 @@ Command add_run_command(CLI::App& program) {
   thinbench run thin_naccache_shinghal big.tif big.tif --threads 8
   thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
-  thinbench run skeleton_scan parts.png marks.png --directions rows,columns
+  thinbench run midpoint_scan parts.png marks.png --directions rows,columns
   thinbench run majority parts.jpg smooth.png --foreground dark
   thinbench run B3/S23 parts.png life.png --max-iterations 100
   thinbench run my_rule.json parts.png out.png --border foreground --optimise

@@ -8,7 +8,7 @@
 
 namespace thinbench {
 
-inline constexpr std::string_view kScanOperation = "skeleton_scan";
+inline constexpr std::string_view kScanOperation = "midpoint_scan";
 
 struct RequestedScan {
   Directions directions;

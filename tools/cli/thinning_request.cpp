@@ -128,7 +128,7 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
       "outermost rows and columns never change, as in OpenCV (default: the rule's own)",
       not_empty(), "NAME");
   add_value(app, "--directions", request.directions,
-            "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)",
+            "Where midpoint_scan looks: rows, columns, diagonals, antidiagonals (default: all)",
             not_empty(), "NAME,...");
   add_value(app, "--max-iterations", request.thinning.max_iterations,
             "Stop after N iterations (default: the rule's own limit, if it has one, else when "
