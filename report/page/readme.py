@@ -144,13 +144,12 @@ def _run_line(rows: Rows, folder: Path) -> str:
 
 
 def _pages(run: Run, _: list[str], folder: Path) -> str:
-    names = {row.input for row in run.rows}
     where = os.path.relpath(run.directory, folder)
     open_rows = sum(row.flags == "open" for row in run.rows)
     failed, groups = (run.facts["controls"][name] for name in ("failed", "groups"))
-    return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread: [all pictures]({where}/{MARKDOWN}). "
+    return (f"{ratios_table(run.rows)}\nOne thread: [all pictures]({where}/{MARKDOWN}). "
             f"{open_rows:,} of {len(run.rows):,} results had too few quiet moments, and the controls of {failed} of "
-            f"{groups} cases failed.\n")
+            f"{groups} groups (operation and picture) failed.\n")
 
 
 def _many_images(results: pd.DataFrame, words: list[str], file: Path, folder: Path) -> str:
