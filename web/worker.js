@@ -262,7 +262,7 @@ function graph(request, facts, warnings) {
     }
   };
   return {time, mask, codes, colours: lineColours, discs, line, rows, count: links.count,
-          head: "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,chord," +
+          head: "id,from,to,from_kind,to_kind,start_x,start_y,stop_x,stop_y,pixels,length,chord," +
                 "width_mean,width_median,width_min,width_max"};
 }
 

@@ -21,7 +21,8 @@ Binarisation binarisation_of(const thinbench_binarisation* given) {
     request.foreground = enumerator<Foreground>("foreground", all.foreground, kForegroundNames);
   }
   if (all.threshold == THINBENCH_LOCAL) {
-    request.local = LocalThreshold{all.window, all.offset};
+    request.local = LocalThreshold{all.window, {}};
+    if (all.offset != -1) request.local->offset = all.offset;
   } else if (all.threshold != THINBENCH_OTSU) {
     request.threshold = all.threshold;
   }

@@ -101,14 +101,15 @@ void thinbench_graph_paths_destroy(thinbench_graph_paths* paths) {
 thinbench_status thinbench_find_path(const thinbench_image* free,
                                      const thinbench_path_request* request,
                                      const thinbench_execution* execution, thinbench_pixel* pixels,
-                                     thinbench_found_path* found) {
+                                     size_t capacity, thinbench_found_path* found) {
   return guarded([&] {
-    require_pointer(pixels, "pixels");
+    if (capacity > 0) require_pointer(pixels, "pixels");
     auto result = fresh(found, thinbench_found_path THINBENCH_FOUND_PATH_INIT, "found");
     const std::optional<FoundPath> path =
         find_path(image_of(free, "free"), request_of(request), execution_of(execution));
     if (path) {
-      std::copy(path->pixels.begin(), path->pixels.end(), reinterpret_cast<Pixel*>(pixels));
+      std::copy_n(path->pixels.begin(), std::min(capacity, path->pixels.size()),
+                  reinterpret_cast<Pixel*>(pixels));
       result.count = path->pixels.size();
       result.length = path->length;
       result.min_width = path->min_width;

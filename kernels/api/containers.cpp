@@ -3,9 +3,9 @@
 namespace thinbench::detail {
 
 #ifdef _GLIBCXX_DEBUG
-const bool kLibraryHasDebugContainers = true;
+const bool kInterface_1_0_debug = true;
 #else
-const bool kLibraryHasUsualContainers = true;
+const bool kInterface_1_0 = true;
 #endif
 
 }  // namespace thinbench::detail

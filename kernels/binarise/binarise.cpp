@@ -1,6 +1,7 @@
 #include "thinbench/binarise.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -31,7 +32,8 @@ void check(const Binarisation& request, int highest) {
   require(!request.threshold, "threshold: expected a level or a local threshold, not both");
   require(window == 0 || (in(window, 3, 65535) && window % 2 == 1),
           "window: expected an odd integer in [3, 65535], got " + std::to_string(window));
-  require(in(offset, 0, highest), "offset: " + levels + std::to_string(offset));
+  require(in(offset.value_or(0), 0, highest),
+          "offset: " + levels + std::to_string(offset.value_or(0)));
 }
 
 /// 255 on bright pixels.
@@ -99,14 +101,23 @@ Index split_by_means(const View<const T>& grey, const ImageView& to, int window,
 }
 
 template <class T>
+int offset_of(const LocalThreshold& local, const detail::Histogram& counts) {
+  if (local.offset) return *local.offset;
+  if (sizeof(T) == 1) return 10;
+  const auto is_used = [](double count) { return count > 0; };
+  const auto lowest = std::ranges::find_if(counts, is_used);
+  const auto highest = std::find_if(counts.rbegin(), counts.rend(), is_used).base() - 1;
+  return static_cast<int>(std::lround(10.0 * static_cast<double>(highest - lowest) / 255.0));
+}
+
+template <class T>
 void binarise_locally(const View<const T>& grey, const ImageView& destination,
-                      const Binarisation& request, Binarised& result) {
+                      const Binarisation& request, int offset, Binarised& result) {
   result.window = detail::window_of(*request.local, grey.width, grey.height);
   result.foreground = request.foreground == Foreground::automatic
                           ? deviating_side(grey, result.window)
                           : request.foreground;
-  const Index found =
-      split_by_means(grey, destination, result.window, request.local->offset, result.foreground);
+  const Index found = split_by_means(grey, destination, result.window, offset, result.foreground);
   result.foreground_share =
       static_cast<double>(found) / static_cast<double>(grey.width * grey.height);
 }
@@ -127,7 +138,7 @@ Binarised binarise_checked(const View<const T>& grey, const ImageView& destinati
   result.only_level = detail::only_level(counts);
   result.was_binary = detail::is_binary(counts);
   if (request.local) {
-    binarise_locally(grey, destination, request, result);
+    binarise_locally(grey, destination, request, offset_of<T>(*request.local, counts), result);
     return result;
   }
   const BrightPixels count = bright_pixels(grey, threshold, counts);

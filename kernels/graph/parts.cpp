@@ -213,18 +213,18 @@ void edge_labels(const Graph& graph, LabelView destination) {
   }
 }
 
-std::vector<Branch> branches(const Graph& graph, const Spacing& spacing) {
+std::vector<EdgeSummary> summary(const Graph& graph, const Spacing& spacing) {
   const auto components = components_of(size_of(graph.nodes), links_of(graph, spacing));
-  std::vector<Branch> branches;
-  branches.reserve(graph.edges.size());
+  std::vector<EdgeSummary> rows;
+  rows.reserve(graph.edges.size());
   for (const GraphEdge& edge : graph.edges) {
     const double length = length_of(edge, spacing);
     const double chord = distance_between(edge.start, edge.stop, spacing);
-    branches.push_back({components[edge.from], edge.from, edge.to, type_of(graph, edge), edge.start,
-                        edge.stop, length, chord,
-                        chord > 0 ? length / chord : std::numeric_limits<double>::quiet_NaN()});
+    rows.push_back({components[edge.from], edge.from, edge.to, type_of(graph, edge), edge.start,
+                    edge.stop, length, chord,
+                    chord > 0 ? length / chord : std::numeric_limits<double>::quiet_NaN()});
   }
-  return branches;
+  return rows;
 }
 
 }  // namespace thinbench

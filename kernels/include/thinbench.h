@@ -11,8 +11,9 @@
  *
  * Arguments come in this order: what is read, what is written, options, execution, other results.
  * Width is before height, x before y. The foreground of an image is what is not 0; what is outside
- * the image is background. A source is never written. Unless a comment says otherwise, a
- * destination has the size of its source, and is the source or shares no byte with it.
+ * the image is background. A source is never written, so a const pointer may be cast. Unless a
+ * comment says otherwise, a destination has the size of its source, and is the source or shares no
+ * byte with it.
  *
  * A struct that begins with its size is made by its macro, which sets the size and the defaults:
  *
@@ -23,8 +24,9 @@
  *
  * Later versions add members at the end of such a struct. A library that is newer than the program
  * gives them their defaults; one that is older accepts them as long as they are 0. Members named
- * `reserved` must be 0. The other structs never change: thinbench_pixel, thinbench_link. Elements
- * of lists that the library makes may grow, so its functions for lists are told their size. */
+ * `reserved` must be 0. Of the other structs, thinbench_pixel, thinbench_link and
+ * thinbench_graph_edge never change; elements of other lists may grow, so functions for lists are
+ * told their size, and accept that of earlier versions, too. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -371,15 +373,15 @@ typedef struct thinbench_binarisation {
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
   int32_t threshold;      /* 0 to the highest level, THINBENCH_OTSU or THINBENCH_LOCAL */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset;         /* of the local threshold: 0 to the highest level */
+  int32_t offset;         /* of the local threshold: 0 to the highest level; -1: by the levels */
   int32_t reserved;
 } thinbench_binarisation;
 
 #define THINBENCH_BINARISATION_INIT \
-  { sizeof(thinbench_binarisation), NULL, THINBENCH_OTSU, 0, 10, 0 }
+  { sizeof(thinbench_binarisation), NULL, THINBENCH_OTSU, 0, -1, 0 }
 
 /* Writes 255 on the foreground of a grey image and 0 elsewhere. *foreground becomes "bright" or
- * "dark" and *threshold the level from which pixels are bright; each may be NULL. */
+ * "dark" and *threshold the level from which pixels are bright, unless local; each may be NULL. */
 THINBENCH_API thinbench_status thinbench_binarise(const thinbench_image* grey,
                                                   const thinbench_image* destination,
                                                   const thinbench_binarisation* request,
@@ -512,8 +514,8 @@ THINBENCH_API thinbench_status thinbench_localise_objects(const thinbench_image*
                                                           thinbench_regions** regions);
 
 /* The lists, which live as long as the handle; `size` is sizeof(thinbench_region). Returns NULL and
- * sets *count to 0 if there are no regions, the handle is NULL, or `size` is not that of this
- * library's struct. `count` may be NULL. */
+ * sets *count to 0 if there are no regions, the handle is NULL, or `size` is that of a later
+ * version's struct. `count` may be NULL. */
 THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,
@@ -752,12 +754,13 @@ typedef struct thinbench_found_path {
   { sizeof(thinbench_found_path), 0, 0, 0 }
 
 /* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
- * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map. A start or a
- * goal that is outside, on an obstacle or too near to one is an invalid argument. */
+ * free space: thinbench/path.hpp. Writes the first `capacity` of its found->count pixels; no path
+ * has more than the map. A start or a goal that is outside, on an obstacle or too near to one is an
+ * invalid argument. */
 THINBENCH_API thinbench_status thinbench_find_path(const thinbench_image* free,
                                                    const thinbench_path_request* request,
                                                    const thinbench_execution* execution,
-                                                   thinbench_pixel* pixels,
+                                                   thinbench_pixel* pixels, size_t capacity,
                                                    thinbench_found_path* found);
 
 #ifdef __cplusplus

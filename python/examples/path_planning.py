@@ -60,7 +60,7 @@ def plan_path(free: Mask, skeleton: Mask, width: float, start: Point, goal: Poin
     if np.isinf(costs[last]) or narrow_node[last]:
         raise ValueError(f"no path from {start} to {goal} is wide enough for a robot {width:g} pixels wide")
     path = traced(before, first, last)
-    edges = [graph.edge_pixels(cheapest_edge(graph, *ends)) for ends in pairwise(path)]
+    edges = [graph.edge_points(cheapest_edge(graph, *ends)) for ends in pairwise(path)]
     return in_order(np.concatenate([nodes[node] for node in path] + edges), start, goal)
 
 

@@ -21,12 +21,12 @@ from thinbench._midpoints import midpoint_scan
 from thinbench._packed import thin_packed
 from thinbench._path import find_path
 from thinbench._rules import Rule
-from thinbench._skeleton_graph import Graph, GraphPath, Place
+from thinbench._skeleton_graph import Graph, GraphPath, GraphPlace
 from thinbench._thinning import apply, thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
 __all__ = [
-    "PIXEL_CLASSES", "UNLIMITED", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise",
+    "PIXEL_CLASSES", "UNLIMITED", "Graph", "GraphPath", "GraphPlace", "Rule", "apply", "binarise",
     "classify_pixels", "compat", "detect_edges", "distances", "euler_number", "fill_holes", "fill_holes_of_labels",
     "find_objects", "find_path", "find_regions", "graph_of_labels", "isas", "label_image", "label_objects",
     "label_regions", "label_values", "localise_objects", "medial_axis", "midpoint_scan", "named_rules", "prune",

@@ -62,7 +62,7 @@ def binarise(image: npt.ArrayLike, *, foreground: str = "auto", threshold: int |
     request = _REQUEST.pack(_REQUEST.size,
                             ctypes.addressof(_arrays.one_of("foreground", foreground, _FOREGROUNDS)),
                             _threshold(threshold, np.iinfo(levels.dtype).max), _window(window),
-                            _offset(levels) if offset is None else _arrays.integer("offset", offset))
+                            _offset(offset))
     for name, value in (("window", window), ("offset", offset)):
         if value is not None and threshold != "local":
             raise ValueError(f"{name}: expected threshold='local' beside it, got {threshold!r}")
@@ -92,10 +92,13 @@ def _window(window: Any) -> int:
     return side
 
 
-def _offset(levels: npt.NDArray[Any]) -> int:
-    if levels.dtype == np.uint8 or not levels.size:
-        return 10
-    return round(10 * int(np.ptp(levels)) / 255)
+def _offset(offset: Any) -> int:
+    if offset is None:
+        return -1
+    levels = _arrays.integer("offset", offset)
+    if levels < 0:
+        raise ValueError(f"offset: expected 0 or more grey levels, got {levels}")
+    return levels
 
 
 def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[Any]:

@@ -44,17 +44,17 @@ class Line(NamedTuple):
     is_object: Array
 
 
-def label_regions(array: Any) -> tuple[_images.Columns, Any]:
+def label_regions(array: Any) -> tuple[Any, _images.Columns]:
     """As thinbench.dask.label_regions, for a checked array."""
     if array.size == 0:
-        return _images.columns(_images.Regions(np.empty(0, _images.REGION), 0)), array.astype(np.int32)
+        return array.astype(np.int32), _images.columns(_images.Regions(np.empty(0, _images.REGION), 0))
     chunked = with_chunks_of_at_least(array, 1)
     blocks = chunked.to_delayed()
     parts = _computed_parts(blocks, chunked.chunks, array.shape[1])
     table, labels = _joined(parts, array.shape)
     tasks = {index: (_relabelled, block.key, labels[index])
              for index, block in np.ndenumerate(blocks)}
-    return table, array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks)
+    return array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks), table
 
 
 def _computed_parts(blocks: Array, chunks: Any, width: int) -> Array:
@@ -232,7 +232,7 @@ def without_small_holes(block: npt.NDArray[Any], max_size: int) -> npt.NDArray[A
     """The block with its holes of at most this many rows and columns filled."""
     if block.size == 0:
         return block
-    table, labels = thinbench.label_regions(block)
+    labels, table = thinbench.label_regions(block)
     is_filled = np.zeros(len(table["label"]) + 1, bool)
     height, width = table["bbox-2"] - table["bbox-0"], table["bbox-3"] - table["bbox-1"]
     is_filled[1:] = ~table["is_hole"] | (height <= max_size) & (width <= max_size)

@@ -397,24 +397,24 @@ def find_regions(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
     return columns(_regions(_library.find_regions, _arrays.image(image), _arrays.execution(threads)))
 
 
-def label_regions(image: npt.ArrayLike, *, threads: int = 1) -> tuple[Columns, npt.NDArray[np.int32]]:
+def label_regions(image: npt.ArrayLike, *, threads: int = 1) -> tuple[npt.NDArray[np.int32], Columns]:
     """Find objects and holes, and label their pixels.
 
-    Returns the table of `find_regions`, and an array of int32, shape (H, W): the label of each pixel's region, or 0.
+    Returns an array of int32, shape (H, W): the label of each pixel's region, or 0; and the table of `find_regions`.
 
     Examples
     --------
     >>> import numpy as np
     >>> import thinbench
     >>> ring = np.array([[1, 1, 1, 0], [1, 0, 1, 0], [1, 1, 1, 0]], bool)
-    >>> table, labels = thinbench.label_regions(ring)
+    >>> labels, table = thinbench.label_regions(ring)
     >>> print(labels)
     [[1 1 1 0]
      [1 2 1 0]
      [1 1 1 0]]
     """
     found, labels = regions_and_labels(_arrays.binary(image), _arrays.execution(threads))
-    return columns(found), labels
+    return labels, columns(found)
 
 
 def find_objects(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
@@ -432,22 +432,22 @@ def find_objects(image: npt.ArrayLike, *, threads: int = 1) -> Columns:
 
 
 def label_objects(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
-                  threads: int = 1) -> tuple[Columns, npt.NDArray[np.int32]]:
+                  threads: int = 1) -> tuple[npt.NDArray[np.int32], Columns]:
     """Find objects alone, and label their pixels.
 
-    Returns the table of `find_objects`, or that of 4-connected objects, and the labels of `label_image`.
+    Returns the labels of `label_image`, and the table of `find_objects`, or that of 4-connected objects.
 
     Examples
     --------
     >>> import numpy as np
     >>> import thinbench
-    >>> table, labels = thinbench.label_objects(np.array([[1, 1, 0, 1]], bool))
+    >>> labels, table = thinbench.label_objects(np.array([[1, 1, 0, 1]], bool))
     >>> print(table["area"], labels)
     [2 1] [[1 1 0 2]]
     """
     labels, found = numbered_objects(image, _arrays.integer("connectivity", connectivity),
                                      execution=_arrays.execution(threads))
-    return columns(found), labels
+    return labels, columns(found)
 
 
 def regions_and_labels(image: _arrays.Array,

@@ -152,7 +152,7 @@ graph_paths_list = _list("graph_paths_list")
 graph_paths_nodes = _list("graph_paths_nodes")
 graph_paths_edges = _list("graph_paths_edges")
 graph_paths_destroy = _function("graph_paths_destroy", "p")
-find_path = _checked("find_path", "bbbpp")
+find_path = _checked("find_path", "bbbpnp")
 
 
 @lru_cache(maxsize=256)

@@ -58,7 +58,7 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
                                          _arrays.real("width", width))
     result = ctypes.create_string_buffer(_library.FOUND_PATH.pack(_library.FOUND_PATH.size, 0, 0, 0))
     _library.find_path(_arrays.image(image), request, _arrays.execution(threads),
-                       found.ctypes.data, result)
+                       found.ctypes.data, len(found), result)
     _, count, _, _ = _library.FOUND_PATH.unpack_from(result)
     if count == 0:
         raise ValueError(f"no path from {tuple(start)} to {tuple(goal)} is {width:g} pixels wide")

@@ -54,23 +54,23 @@ def bounds_of(lengths: Array) -> Array:
 class GraphPath(NamedTuple):
     """From node to node by edges, whose numbers are positions in the columns of a graph.
 
-    `pixels` are the rows and columns along the edges. In a node of several pixels they go straight from
+    `points` are the rows and columns along the edges. In a node of several pixels they go straight from
     one edge to the next, which adds nothing to the length.
 
     A main path may begin or end at a pixel of an edge instead. Then only a part of the first edge is on it,
-    from pixel `start` of `edge_pixels(edges[0])` to the first node, or of the last edge, from the last node
-    to pixel `stop` of `edge_pixels(edges[-1])`. Both are None at nodes. A path within one edge has no nodes.
+    from point `first_point` of `edge_points(edges[0])` to the first node, or of the last edge, from the last node
+    to point `last_point` of `edge_points(edges[-1])`. Both are None at nodes. A path within one edge has no nodes.
     """
 
     length: float
     nodes: Array
     edges: Array
-    pixels: Array
-    start: int | None
-    stop: int | None
+    points: Array
+    first_point: int | None
+    last_point: int | None
 
 
-class Place(NamedTuple):
+class GraphPlace(NamedTuple):
     """A pixel of an edge, and how far it is from where it was looked for."""
 
     edge: int
@@ -131,7 +131,7 @@ class Graph:
 
             ax = pyplot.gca()
         for i in range(len(self.edges["from"])):
-            chain = self.edge_pixels(i)
+            chain = self.edge_points(i)
             ax.plot(chain[:, 1], chain[:, 0], "-", color="tab:orange", linewidth=1)
         for kind, colour in zip(KINDS, ("tab:gray", "tab:green", "tab:blue", "tab:purple", "tab:red")):
             chosen = self.nodes["kind"] == kind
@@ -146,17 +146,17 @@ class Graph:
         """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
         return self._nodes.of(node)
 
-    def edge_pixels(self, edge: int) -> Array:
+    def edge_points(self, edge: int) -> Array:
         """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
         return self._chains.of(edge)
 
     def edge_widths(self, edge: int) -> Array:
-        """The width at each of `edge_pixels(edge)`. The graph must know its image."""
-        return self._widths("edge_widths", self.edge_pixels(edge))
+        """The width at each of `edge_points(edge)`. The graph must know its image."""
+        return self._widths("edge_widths", self.edge_points(edge))
 
     def path_widths(self, path: GraphPath) -> Array:
-        """The width at each of `path.pixels`. The graph must know its image."""
-        return self._widths("path_widths", path.pixels)
+        """The width at each of `path.points`. The graph must know its image."""
+        return self._widths("path_widths", path.points)
 
     def _widths(self, name: str, pixels: Array) -> Array:
         if self._distances is None:
@@ -184,7 +184,7 @@ class Graph:
     def polylines(self, tolerance: float = 1) -> list[Array]:
         """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
         than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2)."""
-        return [self._polyline(self.edge_pixels(i), tolerance) for i in range(len(self.edges["from"]))]
+        return [self._polyline(self.edge_points(i), tolerance) for i in range(len(self.edges["from"]))]
 
     def _polyline(self, chain: Array, tolerance: float) -> Array:
         points = np.ascontiguousarray(chain[:, ::-1], np.int32)
@@ -230,7 +230,7 @@ class Graph:
         return max(paths, key=lambda path: path.length)
 
     def shortest_path(self, from_node: int, to_node: int) -> GraphPath:
-        """Between two nodes; its pixels are those along the way. ValueError if there is none."""
+        """Between two nodes; its points are those along the way. ValueError if there is none."""
         found = _network.shortest_path(*self._links(), _arrays.integer("from_node", from_node),
                                        _arrays.integer("to_node", to_node))
         if not found:
@@ -241,7 +241,7 @@ class Graph:
         """Cycles of which every other is a combination; their number is edges - nodes + components.
 
         Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges and the
-        last: it leads back to the first node. The pixels end with the first one.
+        last: it leads back to the first node. The points end with the first one.
         """
         return [self._path(*path) for path in _network.cycles(*self._links())]
 
@@ -265,7 +265,7 @@ class Graph:
         used = np.unique(np.concatenate([self.edges["from"][chosen], self.edges["to"][chosen]]))
         return self._with_edges(chosen, used)
 
-    def nearest(self, row: float, column: float) -> Place:
+    def nearest(self, row: float, column: float) -> GraphPlace:
         """The pixel of an edge that is nearest to a point, the first with the least distance."""
         if len(self._chains.values) == 0:
             raise ValueError("nearest: expected a graph with edges, got none")
@@ -277,7 +277,7 @@ class Graph:
         at = int(squares.argmin())
         edge = int(np.searchsorted(self._chains.bounds, at, side="right")) - 1
         place = self._chains.values[at]
-        return Place(edge, int(place[0]), int(place[1]), float(np.sqrt(squares[at])))
+        return GraphPlace(edge, int(place[0]), int(place[1]), float(np.sqrt(squares[at])))
 
     def parents(self, root: int) -> Array:
         """For each node the next one on the way to node `root`, as in SWC files; -1 for the root itself and in
@@ -374,17 +374,17 @@ class Graph:
         smoothed_lengths = self._lengths(lines)
         for i, line in enumerate(lines):
             properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
-                          "pixels": len(self.edge_pixels(i)) - 2, "length": float(edges["length"][i]),
+                          "pixels": len(self.edge_points(i)) - 2, "length": float(edges["length"][i]),
                           "smoothed_length": float(smoothed_lengths[i]), "chord": float(edges["chord"][i])}
             for column, name in widths.items():
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
-            properties |= _label(edges, i)
+            properties |= {"kind": "edge", **_label(edges, i)}
             features.append(feature("LineString", [position(*point) for point in line], properties))
         return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
-        """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
+        """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "points" of edges."""
         import networkx  # type: ignore[import]
 
         graph = networkx.MultiGraph()
@@ -392,7 +392,7 @@ class Graph:
             graph.add_node(node, **{name: column[node].item() for name, column in self.nodes.items()})
         for edge in range(len(self.edges["from"])):
             values = {name: column[edge].item() for name, column in self.edges.items()}
-            graph.add_edge(values.pop("from"), values.pop("to"), pixels=self.edge_pixels(edge), **values)
+            graph.add_edge(values.pop("from"), values.pop("to"), points=self.edge_points(edge), **values)
         return graph
 
     def to_csgraph(self, weight: str = "length") -> Any:
@@ -428,11 +428,11 @@ class Graph:
     def _pixels_along(self, nodes: Array, edges: Array, start: int | None, stop: int | None) -> Array:
         """Where edges meet in one pixel, it is there twice."""
         if len(nodes) == 0:
-            return self.edge_pixels(edges[0])[start:None if stop is None else stop + 1]
+            return self.edge_points(edges[0])[start:None if stop is None else stop + 1]
         if len(edges) == 0:
             return self.node_pixels(nodes[0])[:1]
         whole = edges[0 if start is None else 1:len(edges) if stop is None else -1]
-        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
+        chains = [self.edge_points(edge) if self.edges["from"][edge] == node else self.edge_points(edge)[::-1]
                   for node, edge in zip(nodes, whole)]
         if start is not None:
             chains.insert(0, self._part(edges[0], nodes[0], start)[::-1])
@@ -442,7 +442,7 @@ class Graph:
 
     def _part(self, edge: int, node: int, pixel: int) -> Array:
         """From one of its nodes to a pixel of an edge; of a loop the shorter part, of equal ones the first."""
-        chain = self.edge_pixels(edge)
+        chain = self.edge_points(edge)
         is_first = self.edges["from"][edge] == node
         if is_first and self.edges["to"][edge] == node:
             steps = np.abs(np.diff(chain[:pixel + 1], axis=0))

@@ -107,19 +107,19 @@ def find_regions(array: Any) -> dict[str, Any]:
     >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [20 16] [False  True] [0 1]
     """
-    return label_regions(array)[0]  # labels are lazy
+    return label_regions(array)[1]  # labels are lazy
 
 
-def label_regions(array: Any) -> tuple[dict[str, Any], Any]:
+def label_regions(array: Any) -> tuple[Any, dict[str, Any]]:
     """Find objects and holes of a binary image that is a dask array, and label their pixels.
 
-    Returns the table of `find_regions`, and a lazy array of int32, shape (H, W), as `thinbench.label_regions`.
+    Returns a lazy array of int32, shape (H, W), and the table of `find_regions`, as `thinbench.label_regions`.
 
     Examples
     --------
     >>> import dask.array as da
     >>> import thinbench.dask
-    >>> table, labels = thinbench.dask.label_regions(da.ones((2, 3), dtype=bool, chunks=2))
+    >>> labels, table = thinbench.dask.label_regions(da.ones((2, 3), dtype=bool, chunks=2))
     >>> print(labels.compute())
     [[1 1 1]
      [1 1 1]]

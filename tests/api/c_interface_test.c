@@ -698,17 +698,22 @@ static void finds_a_path_for_a_robot(void) {
   request.start.y = request.goal.y = 1;
   request.goal.x = 4;
   request.width = 2;
-  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, way, &found));
+  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, way, 15, &found));
   CHECK(found.count == 5 && found.length == 4 && found.min_width == 2);
   CHECK(way[2].x == 2 && way[2].y == 1);
-  rejects(thinbench_find_path(&free_space, &request, NULL, NULL, &found), "pixels");
-  rejects(thinbench_find_path(&free_space, &request, NULL, way, NULL), "found");
-  rejects(thinbench_find_path(&free_space, NULL, NULL, way, &found), "request");
+  way[2].x = 77;
+  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, way, 2, &found));
+  CHECK(found.count == 5 && way[1].x == 1 && way[2].x == 77);
+  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, NULL, 0, &found));
+  CHECK(found.count == 5);
+  rejects(thinbench_find_path(&free_space, &request, NULL, NULL, 1, &found), "pixels");
+  rejects(thinbench_find_path(&free_space, &request, NULL, way, 15, NULL), "found");
+  rejects(thinbench_find_path(&free_space, NULL, NULL, way, 15, &found), "request");
   request.width = 3;
-  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, way, &found));
+  SUCCEEDS(thinbench_find_path(&free_space, &request, NULL, way, 15, &found));
   CHECK(found.count == 0);
   request.goal.x = -1;
-  rejects(thinbench_find_path(&free_space, &request, NULL, way, &found), "goal: ");
+  rejects(thinbench_find_path(&free_space, &request, NULL, way, 15, &found), "goal: ");
 }
 
 static void simplifies_lines(void) {

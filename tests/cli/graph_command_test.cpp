@@ -121,7 +121,7 @@ TEST_F(GraphCommand, lists_main_paths_which_begin_or_end_within_edges_of_rings) 
   ASSERT_EQ(features.size(), 3U);
   EXPECT_EQ(features[2].at("geometry").at("type"), "LineString");
   EXPECT_EQ(features[2].at("properties"),
-            Json::parse(R"({"id": 1, "from": 1, "to": null, "length": 7, "kind": "main path"})"));
+            Json::parse(R"({"id": 1, "from": 1, "to": null, "length": 7, "kind": "main_path"})"));
   EXPECT_EQ(count_of("<polyline ", bytes_of("ring.svg")), 2) << "the edge and the path";
 }
 

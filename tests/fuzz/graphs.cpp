@@ -114,7 +114,7 @@ void check_parts(ByteSource& input) {
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t i = 0; i < graph.edges.size(); i += 2) chosen.push_back(i);
   const Graph part = subgraph(graph, chosen);
-  const std::vector<Branch> rows = branches(part);
+  const std::vector<EdgeSummary> rows = summary(part);
   must(part.edges.size() == chosen.size() && rows.size() == chosen.size(), "other edges");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     must(points_of(part, part.edges[i]) == points_of(graph, graph.edges[chosen[i]]),

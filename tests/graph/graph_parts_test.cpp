@@ -118,19 +118,19 @@ TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
 }
 
 TEST(Branches, tells_branches_by_what_they_lead_between) {
-  const std::vector<Branch> rows = branches(graph_of({"###.....",  //
-                                                      "........",  //
-                                                      "..#..##.",  //
-                                                      "..#.#..#",  //
-                                                      "##...##.",  //
-                                                      "..#....."}));
+  const std::vector<EdgeSummary> rows = summary(graph_of({"###.....",  //
+                                                          "........",  //
+                                                          "..#..##.",  //
+                                                          "..#.#..#",  //
+                                                          "##...##.",  //
+                                                          "..#....."}));
   Numbers counts(4);
-  for (const Branch& row : rows) ++counts[static_cast<std::size_t>(row.type)];
+  for (const EdgeSummary& row : rows) ++counts[static_cast<std::size_t>(row.type)];
   EXPECT_EQ(rows[0].type, BranchType::end_end);
   EXPECT_EQ(rows[0].length, 2);
   EXPECT_EQ(rows[0].tortuosity, 1);
   EXPECT_EQ(counts[static_cast<std::size_t>(BranchType::cycle)], 1U);
-  const Branch& cycle = rows.back();
+  const EdgeSummary& cycle = rows.back();
   EXPECT_EQ(cycle.type, BranchType::cycle);
   EXPECT_DOUBLE_EQ(cycle.length, 2 + 4 * std::numbers::sqrt2);
   EXPECT_EQ(cycle.chord, 0);
@@ -178,9 +178,9 @@ TEST(EdgeLabels, of_a_drawing_are_those_of_its_pixels) {
 }
 
 TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {
-  const std::vector<Branch> rows = branches(graph_of({"##.",  //
-                                                      "..#"}),
-                                            {.x = 3, .y = 4});
+  const std::vector<EdgeSummary> rows = summary(graph_of({"##.",  //
+                                                          "..#"}),
+                                                {.x = 3, .y = 4});
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_DOUBLE_EQ(rows[0].length, 3 + 5);
   EXPECT_DOUBLE_EQ(rows[0].chord, std::hypot(6, 4));
@@ -192,7 +192,7 @@ TEST(Branches, chords_of_pixels_that_are_far_apart_do_not_overflow) {
                        {{0, 1, {-far, 0}, {far, 0}, 0, 0, {}}},
                        {{-far, 0}, {far, 0}},
                        {}};
-  EXPECT_DOUBLE_EQ(branches(graph).at(0).chord, 2.0 * far);
+  EXPECT_DOUBLE_EQ(summary(graph).at(0).chord, 2.0 * far);
 }
 
 TEST(GraphOfLabels, equals_a_loop_over_the_labels) {

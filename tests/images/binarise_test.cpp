@@ -112,6 +112,24 @@ TEST(Binarise, default_window_is_an_eighth_of_the_smaller_side_odd_and_at_least_
   }
 }
 
+TEST(Binarise, default_offset_is_10_and_of_16_bits_10_of_255_parts_of_the_range) {
+  const auto level = [](Index x, Index y) { return 37 * x * y % 101; };
+  const ByteImage grey = image_by(20, 20, [&](Index x, Index y) { return level(x, y); });
+  std::vector<std::uint16_t> deep(400);
+  for (Index i = 0; i < 400; ++i) {  // 600 to 9600, so that the offset is 353
+    deep[static_cast<std::size_t>(i)] =
+        static_cast<std::uint16_t>(600 + 90 * level(i % 20, i / 20));
+  }
+  const View<const std::uint16_t> view(deep.data(), 20, 20);
+  ByteImage found(20, 20), expected(20, 20);
+  binarise(grey.view(), found.view(), {.local = LocalThreshold{}});
+  binarise(grey.view(), expected.view(), {.local = LocalThreshold{.offset = 10}});
+  EXPECT_EQ(found, expected);
+  binarise16(view, found.view(), {.local = LocalThreshold{}});
+  binarise16(view, expected.view(), {.local = LocalThreshold{.offset = 353}});
+  EXPECT_EQ(found, expected);
+}
+
 TEST(Binarise, local_foreground_where_no_side_deviates_farther_is_bright) {
   const ByteImage flat = image_by(20, 20, [](Index, Index) { return 77; });
   ByteImage out(20, 20);

@@ -98,6 +98,14 @@ def test_python_equals_the_program(tmp_path, channel, options, dtype, levels):
     np.testing.assert_array_equal(thinbench.binarise(opaque, channel=channel, **options), found)
 
 
+def test_the_manifest_has_no_threshold_where_it_is_local(tmp_path):
+    path = written(tmp_path / "page.png", page())
+    for words, threshold in ((["--threshold", "99"], "99"), (["--threshold", "local"], "")):
+        run("batch", "edges", path, "--out", tmp_path / words[1], *words)
+        (row,) = csv.DictReader((tmp_path / words[1] / "manifest.csv").open())
+        assert row["threshold"] == threshold and row["foreground"]
+
+
 def test_a_page_in_uneven_light_needs_a_local_threshold(tmp_path):
     path = written(tmp_path / "page.png", page())
     whole = run("holes", path, "--min-area", 20)

@@ -120,21 +120,21 @@ def test_small_and_empty_arrays_are_accepted(shape):
     for limit in (None, 1):
         np.testing.assert_array_equal(tb_dask.thin(array, max_iterations=limit, depth=4).compute(),
                                       thinbench.thin(image, max_iterations=limit))
-    table, labels = tb_dask.label_regions(array)
+    labels, table = tb_dask.label_regions(array)
     assert len(table["area"]) == len(thinbench.find_regions(image)["area"])
     assert labels.compute().shape == shape
 
 
 def test_chunks_of_a_constant_array_repeat_one_pixel():
-    table, labels = tb_dask.label_regions(da.ones((40, 50), dtype=bool, chunks=16))
+    labels, table = tb_dask.label_regions(da.ones((40, 50), dtype=bool, chunks=16))
     assert table["area"].tolist() == [2000] and (labels.compute() == 1).all()
 
 
 def test_regions_equal_those_in_memory():
     for seed in range(40):
         image, array = random_array(seed, 30)
-        expected, expected_labels = thinbench.label_regions(image)
-        table, labels = tb_dask.label_regions(array)
+        expected_labels, expected = thinbench.label_regions(image)
+        labels, table = tb_dask.label_regions(array)
         assert list(table) == list(expected)
         for name, column in table.items():
             np.testing.assert_array_equal(column, expected[name], err_msg=name)
@@ -292,7 +292,7 @@ def test_edges_equal_those_in_memory(seed, operator):
 def test_fill_holes_fills_holes_up_to_the_halo(seed):
     image, array = random_array(seed)
     size = 1 + seed % 5
-    table, labels = thinbench.label_regions(image)
+    labels, table = thinbench.label_regions(image)
     filled = image != 0
     for i in np.flatnonzero(table["is_hole"]):
         if max(table["bbox-2"][i] - table["bbox-0"][i], table["bbox-3"][i] - table["bbox-1"][i]) <= size:

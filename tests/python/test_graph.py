@@ -110,7 +110,7 @@ def test_a_ring_with_tails_has_parallel_edges():
     assert sorted(zip(graph.edges["from"], graph.edges["to"], strict=True)) == [(0, 1), (1, 2), (1, 2), (2, 3)]
     np.testing.assert_allclose(graph.edges["length"], [2, 1 + 2 * 2**0.5, 1 + 2 * 2**0.5, 2])
     np.testing.assert_allclose(graph.edges["chord"], [2, 3, 3, 2])
-    assert graph.edge_pixels(0).tolist() == [[1, 0], [1, 1], [1, 2]]
+    assert graph.edge_points(0).tolist() == [[1, 0], [1, 1], [1, 2]]
     assert graph.node_pixels(1).tolist() == [[1, 2]]
 
 
@@ -119,7 +119,7 @@ def test_networkx_graph_has_the_columns():
     graph = thinbench.skeleton_graph(RING_WITH_TAILS).to_networkx()
     assert (graph.number_of_nodes(), graph.number_of_edges()) == (4, 4)
     assert graph.nodes[1]["kind"] == "junction"
-    assert len(graph[1][2]) == 2 and graph[0][1][0]["pixels"].shape == (3, 2)
+    assert len(graph[1][2]) == 2 and graph[0][1][0]["points"].shape == (3, 2)
 
 
 def test_geojson_has_transformed_points_and_lines():
@@ -176,7 +176,7 @@ def test_a_graph_is_plotted_as_lines_and_points():
 def test_the_main_path_of_a_tree_leaves_out_its_short_branch():
     path = thinbench.skeleton_graph(TREE).main_path()
     assert path.length == pytest.approx(6 + 4 * 2**0.5)
-    assert path.pixels.tolist() == [[0, 0], [1, 1], *[[2, x] for x in range(2, 9)], [1, 9], [0, 10]]
+    assert path.points.tolist() == [[0, 0], [1, 1], *[[2, x] for x in range(2, 9)], [1, 9], [0, 10]]
     assert len(path.nodes) == 3 and len(path.edges) == 2
     uneven = thinbench.skeleton_graph(TREE, spacing=(0.5, 2)).main_path()
     assert uneven.length == pytest.approx(6 * 2 + 4 * (4 + 0.25) ** 0.5)
@@ -197,8 +197,8 @@ def test_the_main_path_of_a_ring_is_half_of_it_and_ends_within_its_edge():
     graph = thinbench.skeleton_graph(np.pad(RING, 1), np.ones((6, 9), bool) & (np.arange(6) > 0)[:, None])
     path = graph.main_path()
     assert path.length == 7 and path.nodes.tolist() == [0] and path.edges.tolist() == [0]
-    assert (path.start, path.stop) == (None, 7) and graph.edge_pixels(0)[path.stop].tolist() == [4, 6]
-    assert path.pixels.tolist() == [[1, x] for x in range(2, 7)] + [[y, 6] for y in range(2, 5)]
+    assert (path.first_point, path.last_point) == (None, 7) and graph.edge_points(0)[path.last_point].tolist() == [4, 6]
+    assert path.points.tolist() == [[1, x] for x in range(2, 7)] + [[y, 6] for y in range(2, 5)]
     assert graph.path_widths(path).tolist() == [2] * 5 + [4, 6, 8]
     with pytest.raises(ValueError, match="path_widths: expected a skeleton_graph"):
         thinbench.skeleton_graph(RING).path_widths(path)
@@ -216,9 +216,9 @@ def test_pixels_of_main_paths_have_their_length_whatever_the_order_of_edges(seed
         for node in range(len(part.nodes["kind"])):
             nodes[tuple(part.node_pixels(node).T)] = node
         for path in part.main_paths():
-            along = nodes[tuple(path.pixels.T)]
+            along = nodes[tuple(path.points.T)]
             is_within = (along[1:] == along[:-1]) & (along[1:] >= 0)  # it goes straight on, without length
-            steps = np.hypot(*(np.diff(path.pixels, axis=0) * part.spacing).T)
+            steps = np.hypot(*(np.diff(path.points, axis=0) * part.spacing).T)
             assert steps[~is_within].sum() == pytest.approx(path.length)
 
 
@@ -226,7 +226,7 @@ def test_edge_labels_tell_lines_apart_that_meet_at_a_junction():
     graph = thinbench.skeleton_graph(TREE)
     expected = np.zeros(TREE.shape, np.int32)
     for edge in range(3):
-        expected[tuple(graph.edge_pixels(edge).T)] = edge + 1
+        expected[tuple(graph.edge_points(edge).T)] = edge + 1
     expected[tuple(graph.node_pixels(2).T)] = 0
     np.testing.assert_array_equal(graph.edge_labels(), expected)
     assert graph.edge_labels().dtype == np.int32
@@ -260,7 +260,7 @@ def test_the_summary_has_means_and_deviations_of_an_image_along_edges():
     graph = thinbench.skeleton_graph(TREE)
     image = np.random.RandomState(3).rand(*TREE.shape)
     table = graph.summary(image=image)
-    values = [image[tuple(graph.edge_pixels(edge).T)] for edge in range(3)]
+    values = [image[tuple(graph.edge_points(edge).T)] for edge in range(3)]
     np.testing.assert_allclose(table["mean-pixel-value"], [np.mean(v) for v in values])
     np.testing.assert_allclose(table["stdev-pixel-value"], [np.std(v) for v in values])
     assert "mean-pixel-value" not in graph.summary()
@@ -274,7 +274,7 @@ def test_cycles_close_by_their_longest_edge():
     assert len(cycles) == 2
     for cycle in cycles:
         assert graph.edges["length"][cycle.edges[-1]] == graph.edges["length"][cycle.edges].max()
-        assert cycle.pixels[0].tolist() == cycle.pixels[-1].tolist()
+        assert cycle.points[0].tolist() == cycle.points[-1].tolist()
 
 
 def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
@@ -308,7 +308,7 @@ def test_a_subgraph_has_the_edges_that_are_asked_for_and_their_nodes():
     long = graph.subgraph(graph.edges["length"] > 4)
     assert len(long.edges["from"]) == 2 and long.nodes["kind"].tolist() == ["end", "end", "junction"]
     assert long.nodes["degree"].tolist() == [1, 1, 2]
-    assert long.edge_pixels(1).tolist() == graph.edge_pixels(1).tolist()
+    assert long.edge_points(1).tolist() == graph.edge_points(1).tolist()
     assert len(graph.subgraph([]).nodes["kind"]) == 0
     assert thinbench.skeleton_graph(TREE, spacing=(0.5, 2)).subgraph([0]).spacing == (0.5, 2)
 
@@ -319,7 +319,7 @@ def test_given_pixels_are_nodes_that_split_their_edges():
     assert len(graph.edges["from"]) == 4
     assert graph.edges["length"].sum() == pytest.approx(thinbench.skeleton_graph(TREE).edges["length"].sum())
     path = graph.shortest_path(4, 1)
-    assert path.pixels[0].tolist() == [2, 3] and path.pixels[-1].tolist() == [0, 10]
+    assert path.points[0].tolist() == [2, 3] and path.points[-1].tolist() == [0, 10]
 
 
 def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():

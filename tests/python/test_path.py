@@ -62,7 +62,7 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
                "--overlay", overlay)
     assert made.returncode == 0, made.stderr
     listed = json.loads(made.stdout)
-    np.testing.assert_array_equal(np.array(listed["pixels"])[:, ::-1], found)
+    np.testing.assert_array_equal(np.array(listed["points"])[:, ::-1], found)
     assert listed["length"] == pytest.approx(length(found)) and listed["min_width"] >= width
     skeleton = thinbench.prune(thinbench.thin(free), min_widths=1, image=free)
     by_steps = planning.plan_path(free, skeleton, width, planning.START, planning.GOAL)
@@ -127,20 +127,20 @@ def metres(pixels):
 def test_unknown_pixels_of_an_occupancy_map_are_obstacles_or_free(saved, name):
     found, said = found_by(name, *ENDS)
     expected = thinbench.find_path(LEVELS == 254, (20, 20), (20, 80))
-    np.testing.assert_array_equal(np.array(found["pixels"])[:, ::-1], expected)
+    np.testing.assert_array_equal(np.array(found["points"])[:, ::-1], expected)
     assert expected[:, 0].max() >= 27 and found["unit"] == "pixel"
     assert said == (f"note: {name}: occupancy map; unknown counts as obstacle (176 pixels); "
                     "--unknown free overrides this\n")
     assert found_by(name, *ENDS, "--unknown", "obstacle") == (found, "")
     found, said = found_by(name, *ENDS, "--unknown", "free")
-    assert found["pixels"] == [[x, 20] for x in range(20, 81)] and said == ""
+    assert found["points"] == [[x, 20] for x in range(20, 81)] and said == ""
     assert (found["length"], found["min_width"]) == (60, 22)
 
 
 def test_options_for_pictures_make_an_occupancy_map_a_picture(saved):
     for options in (["--threshold", "100"], ["--foreground", "bright"], ["--channel", "grey"], ["--blur", "0"]):
         found, said = found_by("map.png", *ENDS, *options)
-        assert found["pixels"] == [[x, 20] for x in range(20, 81)] and "occupancy" not in said
+        assert found["points"] == [[x, 20] for x in range(20, 81)] and "occupancy" not in said
         assert_rejected(f"map.png: --unknown is for occupancy maps; with {options[0]} the image is a picture\n",
                         "path", "map.png", *ENDS, *options, "--unknown", "free", status=(1,))
         assert_rejected(f"{options[0]} is for pictures", "path", "map.yaml", *ENDS, *options, status=(2,))
@@ -151,7 +151,7 @@ def test_metres_are_in_the_frame_of_the_map(saved):
     words = ["map.yaml", "--unit", "m", "--start", start, "--goal", goal, "--width", "0.3"]
     found, _ = found_by(*words)
     pixels = found_by("map.yaml", *ENDS, "--width", "6")[0]
-    np.testing.assert_allclose(found["pixels"], metres(pixels["pixels"]), atol=1e-12)
+    np.testing.assert_allclose(found["points"], metres(pixels["points"]), atol=1e-12)
     assert (found["unit"], found["robot_width"], found["width"]) == ("m", 0.3, 101)
     for key in ("length", "min_width"):
         assert found[key] == pytest.approx(0.05 * pixels[key])
@@ -172,7 +172,7 @@ def test_width_in_metres_that_just_fits(saved, tmp_path, width, fits):
 def snapped(*words):
     made = run_text("path", *words, "--snap", "--json")
     assert made.returncode == 0, made.stderr
-    return json.loads(made.stdout)["pixels"][0], made.stderr.splitlines()[-1]
+    return json.loads(made.stdout)["points"][0], made.stderr.splitlines()[-1]
 
 
 def test_snap_moves_to_the_nearest_room(saved):
@@ -199,7 +199,8 @@ def test_snap_speaks_of_metres(saved):
     np.testing.assert_allclose(place, metres([(44, 12)])[0])
     assert_rejected("has room for a width of 1.1 m, not of 2 m; no free pixel has room for a width of 2 m", "path",
                     "map.yaml", "--unit", "m", "--start", point[2], "--goal", point[2], "--width", "2")
-    assert_rejected(f"no path from {point[3]} to {point[2]} is 0.5 m wide", "path", *words, "--snap", "--width", "0.5")
+    assert_rejected(f"map.yaml: no path from {point[3]} to {point[2]} is 0.5 m wide; free space is ", "path", *words,
+                    "--snap", "--width", "0.5", status=(3,))
 
 
 @pytest.mark.parametrize("words, status, said", [

@@ -35,7 +35,7 @@ pair: tuple[npt.NDArray[np.uint8], int] = thinbench.thin(image, return_iteration
 flag: bool = len(image) > 3
 either = thinbench.thin(image, return_iterations=flag)
 table = thinbench.find_regions(image)
-columns, labels = thinbench.label_regions(image)
+labels, columns = thinbench.label_regions(image)
 rule = thinbench.Rule.from_hensel("B3/S23", max_iterations=1)
 cells: tuple[npt.NDArray[np.uint8], int] = thinbench.apply(image, rule, return_iterations=True)
 thinbench.thin(image, threads="2")  # expected error

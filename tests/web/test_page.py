@@ -192,7 +192,7 @@ def test_every_choice_gives_the_pixels_of_the_native_library(page, files, name, 
 @pytest.mark.parametrize("name", ["discs", "noise", "scene.jpg"])
 def test_objects_and_holes_are_those_of_the_native_library(page, files, name):
     page.show(files[name], operation="holes")
-    table, labels = thinbench.label_regions(thinbench.binarise(pixels_of(files[name])))
+    labels, table = thinbench.label_regions(thinbench.binarise(pixels_of(files[name])))
     rows = [row[3:] for row in page.table()[1:]]
     columns = ["enclosing_object", "area", "centroid-1", "centroid-0", "bbox-1", "bbox-0"]
     assert np.array_equal([[float(cell) for cell in row[2:8]] for row in rows],

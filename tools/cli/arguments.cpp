@@ -225,14 +225,13 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
 
 /// --window and --offset, which take effect after --threshold local.
 void add_local(CLI::App& app, BinariseOptions& options, const CLI::Option* threshold) {
-  const auto set = [&options, threshold](const char* name, int LocalThreshold::*member) {
+  const auto set = [&options, threshold](const char* name, auto member) {
     return [&options, threshold, name, member](const std::string& text) {
       if (threshold->count() == 0 || threshold->results().back() != kLocal) {
         throw UsageError(std::string(name) + " needs --threshold local");
       }
       if (!options.local) options.local.emplace();
       (*options.local).*member = std::stoi(text);
-      if (member == &LocalThreshold::offset) options.has_offset = true;
     };
   };
   add_value(app, "--window", set("--window", &LocalThreshold::window),

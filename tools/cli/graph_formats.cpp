@@ -232,7 +232,7 @@ std::string graph_summary(const FoundGraph& found) {
   text += found.labels.empty() ? "\n" : ",label\n";
   const auto [dx, dy] = found.spacing;
   std::size_t i = 0;
-  for (const Branch& row : branches(found.graph, found.spacing)) {
+  for (const EdgeSummary& row : summary(found.graph, found.spacing)) {
     const auto& [start, stop] = std::pair(row.start, row.stop);
     const EdgeWidths& width = found.widths[i];
     text +=
@@ -267,11 +267,13 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
                                std::move(properties)));
   };
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    add_line(found.lines[i], properties_of(found, i));
+    Json properties = properties_of(found, i);
+    properties["kind"] = "edge";
+    add_line(found.lines[i], std::move(properties));
   }
   for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
     Json properties = main_path_properties(found.main_paths[i], i);
-    properties["kind"] = "main path";
+    properties["kind"] = "main_path";
     add_line(found.main_lines[i], std::move(properties));
   }
   Json json = {

@@ -34,10 +34,10 @@ struct PathOptions : PathMapOptions {
 };
 
 std::string path_json(const PathOptions& options, const PathMap& map, const FoundPath& path) {
-  Json pixels = Json::array();
+  Json points = Json::array();
   for (const Pixel p : path.pixels) {
     const MapPoint point = map.point(p);
-    pixels.push_back({json_number(point.x), json_number(point.y)});
+    points.push_back({json_number(point.x), json_number(point.y)});
   }
   return json_text({{"file", options.in},
                     {"width", map.free.width()},
@@ -46,7 +46,7 @@ std::string path_json(const PathOptions& options, const PathMap& map, const Foun
                     {"robot_width", options.width},
                     {"length", path.length * map.scale()},
                     {"min_width", path.min_width * map.scale()},  // null without an obstacle
-                    {"pixels", pixels}});
+                    {"points", points}});
 }
 
 std::string path_line(const PathMap& map, const FoundPath& path) {
@@ -95,11 +95,12 @@ FoundPath path_through(const PathMap& map, Ends ends, const PathOptions& options
   try {
     for (PathEnd& end : ends) place_in_map(end, map);
     if (auto path = path_between(ends, map, options, remarks)) return *path;
-    throw std::invalid_argument(fmt::format("no path from {} to {} is {} wide", ends[0].text,
-                                            ends[1].text, map.text(map.pixels(options.width))));
   } catch (const std::invalid_argument& error) {
     throw FileError(options.in + ": " + error.what() + "; free space is " + map.free_text);
   }
+  throw NothingFound(fmt::format("{}: no path from {} to {} is {} wide; free space is {}",
+                                 options.in, ends[0].text, ends[1].text,
+                                 map.text(map.pixels(options.width)), map.free_text));
 }
 
 int run(const PathOptions& options, const Console& console) {
@@ -164,7 +165,8 @@ Command add_path_command(CLI::App& program) {
 The path has the lowest cost: on the skeleton of the free space, midway between obstacles, a step costs
 its length, elsewhere four times its length. Branches of the skeleton that are shorter than the free
 space is wide are removed first. All of the path is at least W / 2 from obstacles, between centres of
-pixels. What is outside the map is no obstacle. Sides are at most 32767 pixels.
+pixels. What is outside the map is no obstacle. Sides are at most 32767 pixels. Where there is no path,
+the exit status is 3.
 
 An occupancy map is one that ROS describes, or an image of the grey levels 0 (obstacle), 205 (unknown)
 and 254 or 255 (free) alone, unless --threshold, --foreground, --channel or --blur is given.)");

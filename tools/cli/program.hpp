@@ -22,8 +22,8 @@ struct ProgramInfo {
 };
 
 /// Runs the program with the arguments after its name and returns its exit status: 0 where all went
-/// well, 2 where it was asked for something that does not exist, 1 for every other failure. A
-/// failure is one line on `err`.
+/// well, 2 where it was asked for something that does not exist, 3 where there is no path, 1 for
+/// every other failure. A failure is one line on `err`.
 int run_program(const ProgramInfo& program, const std::vector<std::string>& args, std::ostream& out,
                 std::ostream& err);
 

@@ -23,6 +23,8 @@ int run_and_report(const std::string& program, std::ostream& out, std::ostream& 
     return report(error.what(), kUsage);
   } catch (const ExtensionError& error) {
     return report(error.what(), kUsage);
+  } catch (const NothingFound& error) {
+    return report(error.what(), kNothingFound);
   } catch (const std::bad_alloc&) {
     return report("there is not enough memory", kFailure);
   } catch (const std::exception& error) {

@@ -78,7 +78,7 @@ std::string edge_rows(const Json& found) {
 
 std::string csv_head(bool is_graph) {
   return std::string("file,page,image_width,image_height,") +
-         (is_graph ? "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,"
+         (is_graph ? "id,from,to,from_kind,to_kind,start_x,start_y,stop_x,stop_y,pixels,length,"
                      "smoothed_length,chord,"
                      "width_mean,width_median,width_min,width_max,unit,label\n"
                    : "kind,id,enclosing_object,area,centre_x,centre_y,left,top,width,height\n");

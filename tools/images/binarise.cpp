@@ -73,16 +73,14 @@ int level_of(int number, const GreyImage& grey) {
                   grey.first + grey.step * grey.highest(), number));
 }
 
-/// In levels. By default as large a share of the range of 16 bits as of 8.
-Binarisation request_for(const GreyImage& grey, const LevelRange& range,
-                         const BinariseOptions& options) {
+/// In levels.
+Binarisation request_for(const GreyImage& grey, const BinariseOptions& options) {
   Binarisation request = {options.foreground, options.threshold, options.local};
   if (request.threshold) request.threshold = level_of(*request.threshold, grey);
-  if (!request.local || !grey.is_deep()) return request;
-  int& offset = request.local->offset;
-  offset = static_cast<int>(std::lround(
-      options.has_offset ? offset / grey.step : offset * (range.highest - range.lowest) / 255.0));
-  offset = std::clamp(offset, 0, grey.highest());
+  if (request.local && request.local->offset && grey.is_deep()) {
+    const auto offset = static_cast<int>(std::lround(*request.local->offset / grey.step));
+    request.local->offset = std::clamp(offset, 0, grey.highest());
+  }
   return request;
 }
 
@@ -96,7 +94,7 @@ std::string range_text(const GreyImage& grey, const LevelRange& range) {
 
 BinaryImage binarise(GreyImage grey, const BinariseOptions& options) {
   const LevelRange range = grey.is_deep() ? range_of(grey) : LevelRange{0, 255};
-  const Binarisation request = request_for(grey, range, options);
+  const Binarisation request = request_for(grey, options);
   BinaryImage result;
   result.first = grey.first;
   result.step = grey.step;

@@ -24,7 +24,6 @@ struct BinariseOptions {
   GreyChoice grey = {};
   /// More foreground than background is nothing doubtful, as free space in maps.
   bool is_mostly_foreground = false;
-  bool has_offset = false;  // of the local threshold; else it is a share of the range of 16 bits
 };
 
 /// A binary image, and what it was made from.

@@ -9,9 +9,15 @@ namespace thinbench {
 inline constexpr int kSuccess = 0;
 inline constexpr int kFailure = 1;
 inline constexpr int kUsage = 2;
+inline constexpr int kNothingFound = 3;
 
 /// The program was given something that does not exist; ends it with kUsage.
 struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What was looked for does not exist; ends the program with kNothingFound.
+struct NothingFound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -31,7 +31,9 @@ inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "br
 struct LocalThreshold {
   /// Side, odd, in [3, 65535]; 0: an eighth of the image's smaller side, at least 15.
   int window = 0;
-  int offset = 10;  // in grey levels, in [0, 255], of 16 bits in [0, 65535]
+  /// In grey levels, in [0, 255], of 16 bits in [0, 65535]; where there is none, 10, of 16 bits
+  /// 10 / 255 of the difference of the highest and the lowest level in the image.
+  std::optional<int> offset = std::nullopt;
 };
 
 struct Binarisation {

@@ -1,19 +1,19 @@
-// Standard containers cross the C++ interface, so a program and the library must mean the same by
-// them.
+// Standard containers and structs that later versions may extend cross the C++ interface, so a
+// program and the library must mean the same by them.
 #pragma once
 
 #include "thinbench/export.h"
 
 namespace thinbench::detail {
 
-// The library defines one of the two. In a program that is compiled otherwise, linking stops at the
-// other.
+// The library defines one of the two, whose names change with each minor version. A program that
+// was compiled with headers of another one, or with other containers, does not link or start.
 #ifdef _GLIBCXX_DEBUG
-THINBENCH_API extern const bool kLibraryHasDebugContainers;
-[[gnu::used]] static const bool* const kContainersAgree = &kLibraryHasDebugContainers;
+THINBENCH_API extern const bool kInterface_1_0_debug;
+[[gnu::used]] static const bool* const kInterfacesAgree = &kInterface_1_0_debug;
 #else
-THINBENCH_API extern const bool kLibraryHasUsualContainers;
-[[gnu::used]] static const bool* const kContainersAgree = &kLibraryHasUsualContainers;
+THINBENCH_API extern const bool kInterface_1_0;
+[[gnu::used]] static const bool* const kInterfacesAgree = &kInterface_1_0;
 #endif
 
 }  // namespace thinbench::detail

@@ -59,7 +59,7 @@ THINBENCH_API void edge_labels(const Graph& graph, LabelView destination);
 enum class BranchType : std::int32_t { end_end, end_junction, junction_junction, cycle };
 
 /// An edge as a row of the table that skan's summarize() makes.
-struct Branch {
+struct EdgeSummary {
   std::uint32_t component;  // of components_of()
   std::uint32_t from;
   std::uint32_t to;
@@ -72,7 +72,7 @@ struct Branch {
 };
 
 /// A row for each edge, in the order of the edges.
-[[nodiscard]] THINBENCH_API std::vector<Branch> branches(const Graph& graph,
-                                                         const Spacing& spacing = {});
+[[nodiscard]] THINBENCH_API std::vector<EdgeSummary> summary(const Graph& graph,
+                                                             const Spacing& spacing = {});
 
 }  // namespace thinbench
