@@ -39,7 +39,7 @@ bool deviates(const ConstImageView& grey, Index x, Index y, const Binarised& fou
 
 bool is_foreground(const ConstImageView& grey, Index x, Index y, const Binarised& found,
                    const Binarisation& request) {
-  if (request.local) return deviates(grey, x, y, found, request.local->offset);
+  if (request.local) return deviates(grey, x, y, found, request.local->offset.value_or(10));
   return (grey.row(y)[x] >= found.threshold) == (found.foreground == Foreground::bright);
 }
 
