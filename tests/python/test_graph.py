@@ -134,7 +134,7 @@ def test_geojson_has_transformed_points_and_lines():
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
     assert points[1]["properties"] == {"id": 2, "kind": "junction", "degree": 3}
     assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2,
-                                      "smoothed_length": 2, "chord": 2}
+                                      "smoothed_length": 2, "chord": 2, "kind": "edge"}
 
 
 def test_blocks_of_an_image_that_is_not_thin_are_reported():

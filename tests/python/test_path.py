@@ -155,7 +155,7 @@ def test_metres_are_in_the_frame_of_the_map(saved):
     assert (found["unit"], found["robot_width"], found["width"]) == ("m", 0.3, 101)
     for key in ("length", "min_width"):
         assert found[key] == pytest.approx(0.05 * pixels[key])
-    assert run_text("path", *words).stdout == (f"path: {len(pixels['pixels'])} pixels, length {found['length']:.2f} m, "
+    assert run_text("path", *words).stdout == (f"path: {len(pixels['points'])} pixels, length {found['length']:.2f} m, "
                                                f"min width {found['min_width']:.2f} m\n")
 
 
