@@ -373,13 +373,13 @@ class Graph:
         lines = self.polylines(tolerance)
         smoothed_lengths = self._lengths(lines)
         for i, line in enumerate(lines):
-            properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
+            properties = {"id": i + 1, "kind": "edge", "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
                           "pixels": len(self.edge_points(i)) - 2, "length": float(edges["length"][i]),
                           "smoothed_length": float(smoothed_lengths[i]), "chord": float(edges["chord"][i])}
             for column, name in widths.items():
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
-            properties |= {"kind": "edge", **_label(edges, i)}
+            properties |= _label(edges, i)
             features.append(feature("LineString", [position(*point) for point in line], properties))
         return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
