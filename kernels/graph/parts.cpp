@@ -124,11 +124,11 @@ Numbers only_edges(const Graph& graph) {
   return edges;
 }
 
-BranchType type_of(const Graph& graph, const GraphEdge& edge) {
+EdgeType type_of(const Graph& graph, const GraphEdge& edge) {
   const NodeKind from = graph.nodes[edge.from].kind;
-  if (from == NodeKind::cycle) return BranchType::cycle;
+  if (from == NodeKind::cycle) return EdgeType::cycle;
   const int ends = int{from == NodeKind::end} + int{graph.nodes[edge.to].kind == NodeKind::end};
-  return static_cast<BranchType>(2 - ends);
+  return static_cast<EdgeType>(2 - ends);
 }
 
 }  // namespace

@@ -373,7 +373,7 @@ typedef struct thinbench_binarisation {
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
   int32_t threshold;      /* 0 to the highest level, THINBENCH_OTSU or THINBENCH_LOCAL */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset;         /* of the local threshold: 0 to the highest level; -1: by the levels */
+  int32_t offset; /* of the local threshold: 0 to the highest level; -1: the default of C++ */
   int32_t reserved;
 } thinbench_binarisation;
 
@@ -754,9 +754,9 @@ typedef struct thinbench_found_path {
   { sizeof(thinbench_found_path), 0, 0, 0 }
 
 /* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
- * free space: thinbench/path.hpp. Writes the first `capacity` of its found->count pixels; no path
- * has more than the map. A start or a goal that is outside, on an obstacle or too near to one is an
- * invalid argument. */
+ * free space: thinbench/path.hpp. Writes the first `capacity` of its found->count pixels, none
+ * and `pixels` may be NULL if it is 0; no path has more than the map. A start or a goal that is
+ * outside, on an obstacle or too near to one is an invalid argument. */
 THINBENCH_API thinbench_status thinbench_find_path(const thinbench_image* free,
                                                    const thinbench_path_request* request,
                                                    const thinbench_execution* execution,

@@ -17,6 +17,7 @@ Binarisation draw_request(ByteSource& input) {
   if (input.once_in(2)) request.threshold = static_cast<int>(input.number(-1, 256));
   if (input.once_in(request.threshold ? 32 : 2)) {
     request.local = {input.pick(windows), static_cast<int>(input.number(-1, 256))};
+    if (input.once_in(4)) request.local->offset.reset();
   }
   return request;
 }

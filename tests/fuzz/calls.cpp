@@ -265,7 +265,7 @@ class Calls {
     must(labels == expected_labels, "labels differ");
     must(labelled.objects == expected.objects && labelled.holes == expected.holes,
          "labelled regions differ");
-    must(find_objects(source.view(), execution) == expected.objects, "components differ");
+    must(find_objects(source.view(), execution) == expected.objects, "objects differ");
     const Regions found = find_regions(source.view(), execution);
     must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
     must(euler_number(source.view(), Connectivity::eight, execution) ==

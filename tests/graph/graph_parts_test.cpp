@@ -117,7 +117,7 @@ TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
             (GraphPlace{0, {0, 1}, INFINITY}));
 }
 
-TEST(Branches, tells_branches_by_what_they_lead_between) {
+TEST(Summary, tells_branches_by_what_they_lead_between) {
   const std::vector<EdgeSummary> rows = summary(graph_of({"###.....",  //
                                                           "........",  //
                                                           "..#..##.",  //
@@ -126,12 +126,12 @@ TEST(Branches, tells_branches_by_what_they_lead_between) {
                                                           "..#....."}));
   Numbers counts(4);
   for (const EdgeSummary& row : rows) ++counts[static_cast<std::size_t>(row.type)];
-  EXPECT_EQ(rows[0].type, BranchType::end_end);
+  EXPECT_EQ(rows[0].type, EdgeType::end_end);
   EXPECT_EQ(rows[0].length, 2);
   EXPECT_EQ(rows[0].tortuosity, 1);
-  EXPECT_EQ(counts[static_cast<std::size_t>(BranchType::cycle)], 1U);
+  EXPECT_EQ(counts[static_cast<std::size_t>(EdgeType::cycle)], 1U);
   const EdgeSummary& cycle = rows.back();
-  EXPECT_EQ(cycle.type, BranchType::cycle);
+  EXPECT_EQ(cycle.type, EdgeType::cycle);
   EXPECT_DOUBLE_EQ(cycle.length, 2 + 4 * std::numbers::sqrt2);
   EXPECT_EQ(cycle.chord, 0);
   EXPECT_TRUE(std::isnan(cycle.tortuosity));
@@ -177,7 +177,7 @@ TEST(EdgeLabels, of_a_drawing_are_those_of_its_pixels) {
   }
 }
 
-TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {
+TEST(Summary, chords_and_lengths_are_in_the_unit_of_the_spacing) {
   const std::vector<EdgeSummary> rows = summary(graph_of({"##.",  //
                                                           "..#"}),
                                                 {.x = 3, .y = 4});
@@ -186,7 +186,7 @@ TEST(Branches, chords_and_lengths_are_in_the_unit_of_the_spacing) {
   EXPECT_DOUBLE_EQ(rows[0].chord, std::hypot(6, 4));
 }
 
-TEST(Branches, chords_of_pixels_that_are_far_apart_do_not_overflow) {
+TEST(Summary, chords_of_pixels_that_are_far_apart_do_not_overflow) {
   constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
   const Graph graph = {{{NodeKind::end, 0, 1}, {NodeKind::end, 1, 1}},
                        {{0, 1, {-far, 0}, {far, 0}, 0, 0, {}}},

@@ -87,7 +87,8 @@ def test_the_table_of_a_graph_has_the_file_and_the_size(picture, tmp_path):
         assert (row["file"], row["page"], row["image_width"]) == (str(path), "1", str(image.shape[1]))
         assert [int(row[name]) for name in ("id", "from", "to", "pixels")] == [
             edge[name] for name in ("id", "from", "to", "pixels")]
-        assert [int(row[name]) for name in ("start_x", "start_y", "stop_x", "stop_y")] == edge["points"][0] + edge["points"][-1]
+        ends = [int(row[name]) for name in ("start_x", "start_y", "stop_x", "stop_y")]
+        assert ends == edge["points"][0] + edge["points"][-1]
         assert (row["from_kind"], row["to_kind"]) == (kinds[edge["from"]], kinds[edge["to"]])
         assert [float(row[name]) for name in ("length", "chord", "width_mean", "width_min", "width_max")] == [
             edge[name] for name in ("length", "chord", "width_mean", "width_min", "width_max")]

@@ -235,7 +235,7 @@ constexpr const char* kFooter = R"(Examples:
   find scans -name '*.tif' -print0 | thinbench batch edges - --null --out edges --format tiff
   parallel thinbench batch thin_zhang_suen scans --out skeletons --shard {}/4 ::: 1 2 3 4
 
-OPERATION is a thinning operation, holes, localise or graph (a .json for each image), edges (by Sobel's
+OPERATION is a rule, midpoint_scan, holes, localise or graph (a .json for each image), edges (by Sobel's
 operator) or edges_ and the name of another operator. A result has the name of its input and lies in
 DIR, that of scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is DIR/a/b.png.png. A TIFF
 file of several pages becomes NAME_page1.png and so on or, with --format tiff, one file. Results appear
@@ -251,7 +251,7 @@ Command add_batch_command(CLI::App& program) {
   const auto options = std::make_shared<BatchOptions>();
   BatchOperationRequest& operation = options->operation;
   add_argument(*app, "OPERATION", operation.thinning.rule,
-               "A thinning operation, holes, localise, graph, edges or edges_sobel and so on");
+               "A rule, midpoint_scan, holes, localise, graph, edges or edges_sobel and so on");
   add_input_options(*app, *options);
   add_output_options(*app, *options);
   add_isa_option(*app, operation.thinning.execution.isa);

@@ -56,14 +56,14 @@ struct GraphPlace {
 THINBENCH_API void edge_labels(const Graph& graph, LabelView destination);
 
 /// What an edge leads between. Nodes that are no ends count as junctions.
-enum class BranchType : std::int32_t { end_end, end_junction, junction_junction, cycle };
+enum class EdgeType : std::int32_t { end_end, end_junction, junction_junction, cycle };
 
 /// An edge as a row of the table that skan's summarize() makes.
 struct EdgeSummary {
   std::uint32_t component;  // of components_of()
   std::uint32_t from;
   std::uint32_t to;
-  BranchType type;
+  EdgeType type;
   Pixel start;
   Pixel stop;
   double length;

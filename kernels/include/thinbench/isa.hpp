@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "thinbench/containers.hpp"
 #include "thinbench/export.h"
 
 namespace thinbench {

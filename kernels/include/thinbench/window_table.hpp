@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "thinbench/containers.hpp"
+
 namespace thinbench {
 
 /// The new value of a pixel for each of the 512 values of its 3 x 3 window. Bit k of a window is
