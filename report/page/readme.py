@@ -149,7 +149,7 @@ def _pages(run: Run, _: list[str], folder: Path) -> str:
     failed, groups = (run.facts["controls"][name] for name in ("failed", "groups"))
     return (f"{ratios_table(run.rows)}\nOne thread: [all pictures]({where}/{MARKDOWN}). "
             f"{open_rows:,} of {len(run.rows):,} results had too few quiet moments, and the controls of {failed} of "
-            f"{groups} groups (operation and picture) failed.\n")
+            f"{groups} operations on pictures failed.\n")
 
 
 def _many_images(results: pd.DataFrame, words: list[str], file: Path, folder: Path) -> str:
