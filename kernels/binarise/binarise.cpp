@@ -105,7 +105,7 @@ int offset_of(const LocalThreshold& local, const detail::Histogram& counts) {
   if (local.offset) return *local.offset;
   if (sizeof(T) == 1) return 10;
   const auto is_used = [](double count) { return count > 0; };
-  const auto lowest = std::ranges::find_if(counts, is_used);
+  const auto lowest = std::find_if(counts.begin(), counts.end(), is_used);
   const auto highest = std::find_if(counts.rbegin(), counts.rend(), is_used).base() - 1;
   return static_cast<int>(std::lround(10.0 * static_cast<double>(highest - lowest) / 255.0));
 }
