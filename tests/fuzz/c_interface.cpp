@@ -625,7 +625,7 @@ class Caller {
     constexpr std::array<double, 8> lengths = {0, 1, 2.5, 6, 1e300, -1, infinity, nan};
     constexpr std::array<double, 8> widths = {0, 0, -0.0, 0.5, 2, 1e308, -1, nan};
     thinbench_pruning pruning = THINBENCH_PRUNING_INIT;
-    if (input_.once_in(32)) pruning.size = input_.byte();
+    if (input_.once_in(32)) pruning.size = input_.byte() % sizeof(pruning);  // no bytes behind it
     pruning.min_length = input_.pick(lengths);
     pruning.min_widths = input_.pick(widths);
     pruning.removes_components = input_.once_in(2) ? 1 : 0;
