@@ -112,6 +112,7 @@ void set_fixed(const LaneJob& job, Index images, typename Lanes::Element* fixed)
 /// Prefetches the group that begins with image `first`; nothing if `first` >= `last`.
 template <class Lanes>
 Prefetcher prefetcher_of(const LaneJob& job, Index first, Index last) {
+  if (first >= last) return {job.source.data, job.target.data, 0};
   const Index images = last - first < Lanes::kImages ? last - first : Lanes::kImages;
   const Index from = job.source.image_stride;
   const Index to = job.target.image_stride;

@@ -2,6 +2,7 @@
 // does not vary, which is limits of iterations, rules that are neither built in nor named there,
 // and random tables.
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -303,6 +304,16 @@ TEST(Lanes, without_an_image_take_no_iteration) {
     const StackView images = {pixels.data(), 3, width, width, width, width * width};
     EXPECT_EQ(thin_stack(fill, images, images), 1) << width;
     EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 255), 3 * width * width) << width;
+  }
+}
+
+/// What lies beyond the only image is not computed either, which the sanitizers would notice.
+TEST(Lanes, of_one_image_allow_any_distance_to_the_next) {
+  for (const Index distance : {std::numeric_limits<Index>::min(), Index{0}}) {
+    std::vector<std::uint8_t> pixels(20 * 20, 255);
+    const StackView image = {pixels.data(), 1, 20, 20, 20, distance};
+    EXPECT_GT(thin_stack(Rule::guo_hall, image, image), 1);
+    EXPECT_EQ(std::erase(pixels, 0), 399);
   }
 }
 
