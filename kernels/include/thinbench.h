@@ -373,7 +373,7 @@ typedef struct thinbench_binarisation {
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
   int32_t threshold;      /* 0 to the highest level, THINBENCH_OTSU or THINBENCH_LOCAL */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset; /* of the local threshold: 0 to the highest level; -1: the default of C++ */
+  int32_t offset;         /* of the local threshold; -1: 10, of 16 bits 10 / 255 of their range */
   int32_t reserved;
 } thinbench_binarisation;
 
@@ -514,8 +514,8 @@ THINBENCH_API thinbench_status thinbench_localise_objects(const thinbench_image*
                                                           thinbench_regions** regions);
 
 /* The lists, which live as long as the handle; `size` is sizeof(thinbench_region). Returns NULL and
- * sets *count to 0 if there are no regions, the handle is NULL, or `size` is that of a later
- * version's struct. `count` may be NULL. */
+ * sets *count to 0 if there are no regions, the handle is NULL, or `size` is not that of this or an
+ * earlier version's struct. `count` may be NULL. */
 THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,

@@ -307,7 +307,7 @@ TEST(Lanes, without_an_image_take_no_iteration) {
   }
 }
 
-/// What lies beyond the only image is not computed either, which the sanitizers would notice.
+/// No pointer beyond the only image is computed, which the sanitizers would notice.
 TEST(Lanes, of_one_image_allow_any_distance_to_the_next) {
   for (const Index distance : {std::numeric_limits<Index>::min(), Index{0}}) {
     std::vector<std::uint8_t> pixels(20 * 20, 255);

@@ -117,7 +117,7 @@ TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
             (GraphPlace{0, {0, 1}, INFINITY}));
 }
 
-TEST(Summary, tells_branches_by_what_they_lead_between) {
+TEST(Summary, tells_edges_by_what_they_lead_between) {
   const std::vector<EdgeSummary> rows = summary(graph_of({"###.....",  //
                                                           "........",  //
                                                           "..#..##.",  //
