@@ -93,7 +93,7 @@ TEST_F(BatchCommand, pages_of_a_tiff_file_become_files_or_one_file) {
   expect_skeleton("pages_page2.png", 50);
   expect_holds(manifest(), "pages.tif,2,pages_page2.png,");
   done("thin_guo_hall pages.tif --format tiff");
-  EXPECT_EQ(page_count(read_file("out/pages.tif")), 2);
+  EXPECT_EQ(pages_in(read_file("out/pages.tif")).size(), 2);
   for (const int page : {0, 1}) {
     EXPECT_TRUE(equal(read_grey("out/pages.tif", page).view(),
                       thinned(Rule::guo_hall, bar(40 + 10 * page)).view()));

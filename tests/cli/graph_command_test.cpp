@@ -104,6 +104,32 @@ TEST_F(GraphCommand, lengths_and_widths_are_in_the_unit_of_the_spacing) {
             Json::parse("[[2.75, 10.5], [5.25, 10.5]]"));
 }
 
+TEST_F(GraphCommand, tolerance_is_the_larger_side_of_a_pixel_where_it_is_not_given) {
+  const auto lines = [&](const std::string& options) {
+    std::string points;
+    const Json found = Json::parse(graph("--json " + options));
+    for (const Json& edge : found.at("edges")) points += edge.at("points").dump();
+    return points;
+  };
+  write_grey("in.png", image_of(kRing).view());
+  const std::string whole = lines("--foreground bright");
+  EXPECT_EQ(lines("--foreground bright --tolerance 1"), whole);
+  for (const std::string spacing : {"0.001", "1000"})
+    EXPECT_EQ(lines("--foreground bright --spacing " + spacing), whole) << spacing;
+  EXPECT_NE(lines("--foreground bright --spacing 0.001 --tolerance 1"), whole);
+}
+
+TEST_F(GraphCommand, geojson_numbers_its_features_and_has_no_line_of_one_position) {
+  write_grey("in.png", image_of({"....", ".#..", "...."}).view());
+  graph("--foreground bright --main-path --geojson graph.json");
+  const Json features = Json::parse(bytes_of("graph.json")).at("features");
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[0].at("id"), 1);
+  EXPECT_EQ(features[1].at("id"), 2);
+  EXPECT_EQ(features[1].at("geometry"),
+            Json::parse(R"({"type": "LineString", "coordinates": [[1.5, 1.5], [1.5, 1.5]]})"));
+}
+
 TEST_F(GraphCommand, lists_main_paths_which_begin_or_end_within_edges_of_rings) {
   expect_holds(graph("--main-path"), "main path 1: node 2 to node 4, length 9.00\n");
   EXPECT_EQ(Json::parse(graph("--main-path --json")).at("main_paths").size(), 2U);

@@ -43,8 +43,8 @@ def objects(path: Path, *options: str) -> int:
 
 # TIFF.
 
-SHORT, LONG, DOUBLE = 3, 4, 12
-SIZES = {SHORT: "H", LONG: "I", DOUBLE: "d"}
+TEXT, SHORT, LONG, DOUBLE = 2, 3, 4, 12
+SIZES = {TEXT: "B", SHORT: "H", LONG: "I", DOUBLE: "d"}
 Tags = dict[int, tuple[int, Sequence[float]]]
 
 
@@ -86,7 +86,7 @@ def of(kind: int, samples: int, bits: int) -> Tags:
 
 TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
     "16 bits with signs": (tiff(4, 1, [shorts(-1, 0, 300, 32767)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}),
-                           [[127, 128, 129, 255]]),
+                           [[0, 0, 1, 128]]),
     "16 bits with signs but no negative number": (
         tiff(3, 1, [shorts(0, 1, 255)], of(GREY, 1, 16) | {FORMAT: (SHORT, [2])}), [[0, 1, 255]]),
     "grey multiplied by its opacity": (
@@ -107,7 +107,11 @@ TIFFS: dict[str, tuple[bytes, list[list[int]]]] = {
         tiff(2, 2, [bytes([1, 2, 3, 255])], {278: (LONG, [2**31 - 1])}), [[1, 2], [3, 255]]),
     "32 bits above 65535": (tiff(3, 1, [struct.pack("<3I", 0, 10**6, 2 * 10**6)], of(GREY, 1, 32)), [[0, 127, 255]]),
     "real numbers": (tiff(4, 1, [struct.pack("<4f", -1, float("nan"), 0, 1)], of(GREY, 1, 32) | {FORMAT: (SHORT, [3])}),
-                     [[0, 0, 128, 255]]),
+                     [[0, 0, 127, 255]]),
+    "opacity after another sample": (tiff(2, 1, [b"\x20\1\xff\xc8\2\0"], of(GREY, 3, 8) | {EXTRA: (SHORT, [0, 2])}),
+                                     [[32, 0]]),
+    "the same in planes": (tiff(2, 1, [b"\x20\xc8", b"\1\2", b"\xff\0"],
+                                of(GREY, 3, 8) | {EXTRA: (SHORT, [0, 2]), 284: (SHORT, [2])}), [[32, 0]]),
 }
 
 
@@ -153,6 +157,127 @@ def test_map_keeps_its_coordinates(tmp_path: Path) -> None:
         [4500001.25, 5399997.75], [4500003.25, 5399997.75]]
     run(["thinbench", "graph", "a.tif", "--geojson", "a.json", "--transform", "1,0,0,0,1,0"], tmp_path)
     assert "crs" not in json.loads((tmp_path / "a.json").read_text())
+
+
+@pytest.mark.parametrize("orientation", range(1, 9))
+def test_map_that_is_turned_keeps_its_coordinates(orientation: int, tmp_path: Path) -> None:
+    line = np.zeros((5, 9), np.uint8)
+    line[1, 2:7] = 255
+    (tmp_path / "a.tif").write_bytes(tiff(9, 5, [line.tobytes()], {
+        274: (SHORT, [orientation]), 33550: (DOUBLE, [0.5, 2, 0]), 33922: (DOUBLE, [0, 0, 0, 100, 200, 0])}))
+    assert run(["thinbench", "graph", "a.tif", "--geojson", "a.json"], tmp_path).status == 0
+    features = json.loads((tmp_path / "a.json").read_text())["features"]
+    ends = sorted(feature["geometry"]["coordinates"] for feature in features[:2])
+    assert ends == [[101.25, 197], [103.25, 197]]
+
+
+@pytest.mark.parametrize("keys, epsg", [
+    ({1024: 1, 2048: 4326, 3072: 25832}, 25832), ({1024: 2, 2048: 4326}, 4326), ({2048: 4326}, 4326),
+    ({1024: 1, 2048: 4326}, None), ({1024: 1, 2048: 4326, 3072: 32767}, None), ({1024: 3, 2048: 4978}, None)])
+def test_only_the_system_of_the_coordinates_is_named(keys: dict[int, int], epsg: int | None, tmp_path: Path) -> None:
+    entries = [number for key, value in sorted(keys.items()) for number in (key, 0, 1, value)]
+    (tmp_path / "a.tif").write_bytes(tiff(3, 3, [bytes([0, 0, 0, 0, 255, 0, 0, 0, 0])], {
+        33550: (DOUBLE, [1, 1, 0]), 33922: (DOUBLE, [0] * 6), 34735: (SHORT, [1, 1, 0, len(keys), *entries])}))
+    assert run(["thinbench", "graph", "a.tif", "--geojson", "a.json"], tmp_path).status == 0
+    crs = json.loads((tmp_path / "a.json").read_text()).get("crs", {"properties": {"name": "none"}})
+    assert crs["properties"]["name"].split(":")[-1] == str(epsg or "none")
+
+
+def test_lengths_of_a_map_have_a_spacing_and_its_coordinates_remain(tmp_path: Path) -> None:
+    (tmp_path / "a.tif").write_bytes(tiff(3, 3, [bytes([0, 0, 0, 255, 255, 255, 0, 0, 0])], {
+        33550: (DOUBLE, [0.5, 0.5, 0]), 33922: (DOUBLE, [0, 0, 0, 100, 200, 0])}))
+    assert run(["thinbench", "graph", "a.tif", "--geojson", "a.json", "--spacing", "0.5"], tmp_path).status == 0
+    line = json.loads((tmp_path / "a.json").read_text())["features"][-1]
+    assert line["properties"]["length"] == 1
+    assert line["geometry"]["coordinates"] == [[100.25, 199.25], [101.25, 199.25]]
+
+
+# Several images in a file.
+
+def test_smaller_copies_and_masks_are_no_pages(tmp_path: Path) -> None:
+    tifffile = pytest.importorskip("tifffile")
+    page = np.zeros((40, 40), np.uint8)
+    page[10:30, 10:30] = 255
+    with tifffile.TiffWriter(tmp_path / "a.tif") as file:
+        for kind, image in ((0, page), (1, page[::2, ::2]), (4, page > 0), (2, page)):
+            file.write(image, subfiletype=kind, metadata=None)
+    assert run(["thinbench", "batch", "holes", "a.tif", "--out", "out"], tmp_path).status == 0
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["a_page1.json", "a_page4.json", "manifest.csv"]
+
+
+# Numbers of files.
+
+REAL, SIGNED = 3, 2
+NODATA = 42113
+
+
+def row(numbers: npt.NDArray[Any], channels: int = 1, more: Tags | None = None) -> bytes:
+    """A TIFF file of these samples in a row of pixels."""
+    kind = {"f": REAL, "i": SIGNED, "u": 1}[numbers.dtype.kind]
+    tags = of(GREY, channels, 8 * numbers.itemsize) | {FORMAT: (SHORT, [kind] * channels)} | (more or {})
+    return tiff(numbers.size // channels, 1, [numbers.tobytes()], tags)
+
+
+LOWEST = float(np.finfo(np.float32).min)
+
+
+@pytest.mark.parametrize("numbers, threshold, bright", [
+    (np.float32([-9999, 0, 199.99, 200, 300]), "200", 2),
+    (np.float32([-9999, 0, 199.99, 200, 300]), "199.98", 3),
+    (np.float32([LOWEST, 100, 100]), "200", 0),
+    (np.float32([LOWEST, 100, 100]), "50", 2),
+    (np.float32([-0.2, 0.5, 0.7, 0.69]), "0.7", 1),
+    (np.float32([1, 2.5, np.nan]), "1", 2),
+    (np.float32([1, 2.5]), "-50", 2),
+    (np.float32([1, 2.5]), "1e6", 0),
+    (np.float32([7, 7]), "7.5", 0),
+    (np.float64([-1.797e308, 3, 4]), "3.5", 1),
+    (np.float64([-1e39, 3, 4]), "3.5", 1),
+    (np.uint32([0, 99, 100, 131070]), "100", 2),
+    (np.uint32([0, 99, 100, 131070]), "131070", 1),
+    (np.uint32([3, 5]), "100000", 0),
+    (np.int16([-300, -50, -51, 200]), "-50", 2),
+    (np.int16([-1, 20, 250]), "20.5", 1),
+    (np.uint16([1, 2, 3]), "1.5", 2),
+    (np.uint8([1, 2, 3]), "2.5", 1)])
+def test_thresholds_are_numbers_of_the_file(numbers: npt.NDArray[Any], threshold: str, bright: int, tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    path.write_bytes(row(numbers))
+    found = facts(path, "--threshold", threshold, "--foreground", "bright")
+    parts: Any = found["objects"]
+    assert (sum(part["area"] for part in parts), found["threshold"]) == (bright, float(threshold))
+
+
+@pytest.mark.parametrize("numbers, least", [
+    (np.float32([-9999, 5.5, 6, 90]), 6), (np.int16([-9999, -3, 6, 90]), 6), (np.int32([-9999, 5, 6, 90]), 6)])
+def test_nodata_is_the_least_number(numbers: npt.NDArray[Any], least: int, tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    path.write_bytes(row(numbers, more={NODATA: (TEXT, b"-9999\0")}))
+    found = facts(path)
+    parts: Any = found["objects"]
+    assert (sum(part["area"] for part in parts), "bright" in str(found["foreground"])) == (1, True)
+    assert least < float(str(found["threshold"])) <= 90
+
+
+@pytest.mark.parametrize("kind, opaque", [(np.int16, 32767), (np.float32, 255), (np.uint32, 255), (np.uint32, 2**32 - 1)])
+def test_opacity_is_no_number_of_the_picture(kind: type, opaque: int, tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    path.write_bytes(row(np.array([100, opaque, 300, opaque, 300, 0], kind), 2, {EXTRA: (SHORT, [2])}))
+    for threshold, bright in (("200", 1), ("100", 2), ("301", 0)):
+        found: Any = facts(path, "--threshold", threshold, "--foreground", "bright")["objects"]
+        assert sum(part["area"] for part in found) == bright
+    assert objects(path, "--channel", "alpha", "--threshold", "1", "--foreground", "bright") == 1
+
+
+def test_one_negative_number_leaves_the_contrast(tmp_path: Path) -> None:
+    for name, lowest in (("a", 0), ("b", -1)):
+        levels = two_parts(20, 250, 250).astype(np.int16)
+        levels[0, 0] = lowest
+        (tmp_path / f"{name}.tif").write_bytes(
+            tiff(100, 60, [levels.tobytes()], of(GREY, 1, 16) | {FORMAT: (SHORT, [SIGNED])}))
+        assert run(["thinbench", "edges", f"{name}.tif", f"{name}.png"], tmp_path).status == 0
+    assert np.asarray(Image.open(tmp_path / "a.png"))[5:].any()
+    np.testing.assert_array_equal(Image.open(tmp_path / "a.png"), Image.open(tmp_path / "b.png"))
 
 
 # 16 bits.

@@ -170,8 +170,8 @@ def _tifffile(draw: Draw, path: Path, photometric: str, dtype: str) -> None:
                    compression=draw.choice([None, "zlib"]), **part)
     if photometric == "miniswhite":
         samples = highest - samples
-    if dtype[0] == "i" and samples.min() < 0:
-        samples += highest + 1
+    if dtype[0] == "i":
+        samples -= min(samples.min(), 0)
     assert_read(path, of_inks(samples, highest) if photometric == "separated" else grey(samples, max(highest, 255)))
 
 

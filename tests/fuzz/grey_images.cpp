@@ -26,9 +26,10 @@ void try_input(ByteSource& input) {
   read_page(bytes, 0, {.lenient = true, .grey = {.opacity = true}});
   read_page(bytes, 0, {.grey = {.channel = Channel::automatic, .backdrop = Backdrop::white}});
   must_succeed_or_explain<FileError>([&] { static_cast<void>(read_labels(file_of(bytes))); });
-  const int pages = page_count(file_of(bytes));
-  must(pages >= 1, "no pages");
-  if (pages > 1) read_page(bytes, pages - 1, {});
+  read_page(bytes, 0, {.threshold = 0.5});
+  const std::vector<int> pages = pages_in(file_of(bytes));
+  must(!pages.empty(), "no pages");
+  if (pages.back() > 0) read_page(bytes, pages.back(), {});
 }
 
 }  // namespace thinbench

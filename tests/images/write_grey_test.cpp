@@ -37,11 +37,11 @@ TEST_F(WriteGrey, files_of_every_format_read_back_equal_and_replace_what_was_the
 TEST_F(WriteGrey, one_and_several_pages_are_written_through_a_link_whatever_the_target_is_called) {
   fs::create_symlink("target", "a.tif");
   write_grey("a.tif", stripes().view());
-  EXPECT_EQ(page_count(read_file("target")), 1);
+  EXPECT_EQ(pages_in(read_file("target")).size(), 1);
   std::vector<ByteImage> pages(2);
   for (ByteImage& page : pages) page = stripes();
   write_grey_pages("a.tif", pages);
-  EXPECT_EQ(page_count(read_file("target")), 2);
+  EXPECT_EQ(pages_in(read_file("target")).size(), 2);
   EXPECT_EQ(names(), (Names{"a.tif", "target"}));
 }
 

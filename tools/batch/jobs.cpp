@@ -38,27 +38,27 @@ BatchJob job_of(const BatchInput& input, const std::string& suffix,
 }
 
 /// Only files whose name says that they are TIFF are looked at.
-int pages_of(const std::string& path) {
-  if (!is_tiff_extension(extension_of(path))) return 1;
+std::vector<int> pages_of(const std::string& path) {
+  if (!is_tiff_extension(extension_of(path))) return {0};
   try {
-    return page_count(read_file(path));
+    return pages_in(read_file(path));
   } catch (const FileError&) {
-    return 1;  // reading it gives the reason
+    return {0};  // reading it gives the reason
   }
 }
 
 std::vector<BatchJob> jobs_of_one(const BatchInput& input, const ResultExtensions& extensions,
                                   bool joins_pages) {
-  const int pages = pages_of(input.path);
+  const std::vector<int> pages = pages_of(input.path);
   std::vector<BatchJob> jobs;
-  if (pages == 1 || joins_pages) {
+  if (pages.size() == 1 || joins_pages) {
     jobs.push_back(job_of(input, "", extensions));
     jobs.back().pages = pages;
     return jobs;
   }
-  for (int page = 0; page < pages; ++page) {
+  for (const int page : pages) {
     jobs.push_back(job_of(input, "_page" + std::to_string(page + 1), extensions));
-    jobs.back().first_page = page;
+    jobs.back().pages = {page};
   }
   return jobs;
 }

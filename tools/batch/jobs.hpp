@@ -14,8 +14,7 @@ struct BatchJob {
   std::string path;
   std::string output;   // relative to the output directory
   std::string overlay;  // the same; empty: none
-  int first_page = 0;
-  int pages = 1;
+  std::vector<int> pages = {0};
 };
 
 struct Shard {

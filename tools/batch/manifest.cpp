@@ -58,7 +58,7 @@ void Manifest::write_text(const std::string& text) {
 }
 
 bool Manifest::says_done(const BatchJob& job, const std::string& operation) const {
-  for (int page = job.first_page; page < job.first_page + job.pages; ++page) {
+  for (const int page : job.pages) {
     const auto found = lines_.find({job.output, page + 1});
     if (found == lines_.end()) return false;
     const ManifestLine& line = found->second;

@@ -55,7 +55,7 @@ class Stopwatch {
 
 std::size_t pages_of(const std::vector<BatchJob>& jobs) {
   std::size_t pages = 0;
-  for (const BatchJob& job : jobs) pages += static_cast<std::size_t>(job.pages);
+  for (const BatchJob& job : jobs) pages += job.pages.size();
   return pages;
 }
 
@@ -107,11 +107,11 @@ class Batch {
     }
     Work& work = works_[next_ % works_.size()];
     const BatchJob& job = jobs_[next_++];
-    work = {&job, std::vector<Page>(static_cast<std::size_t>(job.pages)), {}};
-    for (int i = 0; i < job.pages; ++i) {
-      BatchRecord& record = work.pages[static_cast<std::size_t>(i)].record;
+    work = {&job, std::vector<Page>(job.pages.size()), {}};
+    for (std::size_t i = 0; i < job.pages.size(); ++i) {
+      BatchRecord& record = work.pages[i].record;
       record.file = job.path;
-      record.page = job.first_page + i + 1;
+      record.page = job.pages[i] + 1;
       record.output = job.output;
       record.operation = operation_.name;
     }

@@ -20,6 +20,8 @@
 namespace thinbench {
 namespace {
 
+constexpr double kMaxNumber = 1e300;  // of image files
+
 template <class Number>
 std::optional<Number> number_from(const std::string& text) {
   Number number{};
@@ -143,7 +145,7 @@ void check_streams(bool json, const std::vector<std::string>& images) {
 void check_replaced(const FileBytes& in, const std::string& out) {
   std::error_code ignored;
   if (!std::filesystem::equivalent(in.name(), out, ignored)) return;
-  const int pages = page_count(in);
+  const std::size_t pages = pages_in(in).size();
   if (pages == 1) return;
   throw UsageError(fmt::format(
       "'{}' has {} pages, of which one would remain; give OUT another name, or use 'batch'", out,
@@ -170,12 +172,10 @@ void add_threads_option(CLI::App& app, int& threads) {
 
 namespace {
 
-/// An integer in this range or, instead, one of the words.
-CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
-                          const std::vector<std::string_view>& words) {
-  const std::string what =
-      number_range("an integer", lowest, highest) + " or '" + enumeration(words, "' or '") + "'";
-  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
+/// A number or, instead, one of the words.
+CLI::Validator number_or(const std::vector<std::string_view>& words) {
+  const std::string what = "a number, '" + enumeration(words, "' or '") + "'";
+  const auto check = [=, number = number_in(-kMaxNumber, kMaxNumber, what)](std::string& text) {
     const bool is_word = std::find(words.begin(), words.end(), text) != words.end();
     return is_word ? std::string() : number(text);
   };
@@ -193,7 +193,6 @@ CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest) {
 
 constexpr const char* kOtsu = "otsu";
 constexpr const char* kLocal = "local";
-constexpr int kMaxLevel = 65535;
 
 void add_foreground(CLI::App& app, Foreground& foreground) {
   const std::vector<std::string_view> names(kForegroundNames.begin(), kForegroundNames.end());
@@ -212,37 +211,39 @@ CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
     options.threshold.reset();
     options.local.reset();
     if (text == kLocal) options.local.emplace();
-    if (text != kLocal && text != kOtsu) options.threshold = std::stoi(text);
+    if (text != kLocal && text != kOtsu) options.threshold = number_from<double>(text);
   };
-  return add_value(
-             app, "--threshold", set,
-             "Bright are grey levels >= N, 0 to 255, of 16 bits to 65535; otsu: the level that "
-             "separates the two classes "
-             "best; local: for uneven light, the mean of the window around each pixel",
-             integer_or(0, kMaxLevel, {kOtsu, kLocal}), "N|otsu|local")
+  return add_value(app, "--threshold", set,
+                   "Bright are grey levels >= N, in the numbers of the file; otsu: the level that "
+                   "separates the two classes "
+                   "best; local: for uneven light, the mean of the window around each pixel",
+                   number_or({kOtsu, kLocal}), "N|otsu|local")
       ->default_str(kOtsu);
 }
 
 /// --window and --offset, which take effect after --threshold local.
 void add_local(CLI::App& app, BinariseOptions& options, const CLI::Option* threshold) {
-  const auto set = [&options, threshold](const char* name, auto member) {
-    return [&options, threshold, name, member](const std::string& text) {
-      if (threshold->count() == 0 || threshold->results().back() != kLocal) {
-        throw UsageError(std::string(name) + " needs --threshold local");
-      }
-      if (!options.local) options.local.emplace();
-      (*options.local).*member = std::stoi(text);
-    };
+  const auto check = [threshold](const char* name) {
+    if (threshold->count() > 0 && threshold->results().back() == kLocal) return;
+    throw UsageError(std::string(name) + " needs --threshold local");
   };
-  add_value(app, "--window", set("--window", &LocalThreshold::window),
+  const auto set_window = [&options, check](const std::string& text) {
+    check("--window");
+    if (!options.local) options.local.emplace();
+    options.local->window = std::stoi(text);
+  };
+  const auto set_offset = [&options, check](const std::string& text) {
+    check("--offset");
+    options.offset = number_from<double>(text);
+  };
+  add_value(app, "--window", set_window,
             "Side of the window, odd, 3 to 65535 (default: an eighth of the "
             "smaller side, at least 15)",
             odd_number(3, 65535), "N");
-  add_value(app, "--offset", set("--offset", &LocalThreshold::offset),
-            "How far foreground is above or below the mean, 0 to "
-            "65535 (default: 10, of 16 bits as "
-            "large a share of their range)",
-            whole_number(0, kMaxLevel), "N");
+  add_value(app, "--offset", set_offset,
+            "How far foreground is above or below the mean, in the numbers of the file (default: "
+            "10, of 16 bits as large a share of their range)",
+            real_number(0, kMaxNumber), "N");
 }
 
 constexpr const char* kOpacity = "alpha";

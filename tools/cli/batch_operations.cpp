@@ -26,7 +26,8 @@ constexpr const char* kGraph = "graph";
 /// What the record of every operation says of the input.
 void describe(const BinaryImage& binary, const BinariseOptions& options, BatchRecord& record) {
   record.foreground = std::string(foreground_name(binary.foreground));
-  if (!options.local) record.threshold = binary.number_of(binary.threshold);
+  if (!options.local)
+    record.threshold = options.threshold.value_or(binary.number_of(binary.threshold));
   record.foreground_before = foreground_pixels(binary.image.view());
   std::vector<std::string> texts = warnings(binary, options);
   if (!record.warning.empty()) texts.insert(texts.begin(), record.warning);  // of the decoder

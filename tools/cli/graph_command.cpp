@@ -43,11 +43,6 @@ struct GraphCommandOptions {
   std::string geojson;
   std::string overlay;
   std::string edge_labels;
-
-  /// Neither a transform nor a spacing was given, so that those of a map are taken.
-  [[nodiscard]] bool has_plain_coordinates() const {
-    return transform.empty() && request.pruning.spacing == Spacing{};
-  }
 };
 
 AffineTransform transform_of(const GraphCommandOptions& options) {
@@ -155,7 +150,7 @@ void check_size(const GraphCommandOptions& options, Index width, Index height) {
 /// Coordinates of a map are those of GeoJSON, unless others were asked for.
 void take_place(const std::optional<GeoReference>& place, const GraphCommandOptions& options,
                 FoundGraph& found, std::ostream& remarks) {
-  if (!place || options.geojson.empty() || !options.has_plain_coordinates()) return;
+  if (!place || options.geojson.empty() || !options.transform.empty()) return;
   found.place = place;
   const std::string system = place->epsg == 0 ? "" : fmt::format(", EPSG:{}", place->epsg);
   remarks << fmt::format(

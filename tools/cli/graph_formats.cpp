@@ -98,8 +98,9 @@ Json positions(const std::vector<Pixel>& line, const PositionOf& position_of) {
   return list;
 }
 
-Json feature(const char* type, Json coordinates, Json properties) {
+Json feature(std::size_t id, const char* type, Json coordinates, Json properties) {
   return {{"type", "Feature"},
+          {"id", id},
           {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}},
           {"properties", std::move(properties)}};
 }
@@ -259,12 +260,14 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
   Json features = Json::array();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const auto [x, y] = centre_of(graph, graph.nodes[i]);
-    features.push_back(feature("Point", position(x, y), node_properties_of(found, i, degrees[i])));
+    features.push_back(feature(features.size() + 1, "Point", position(x, y),
+                               node_properties_of(found, i, degrees[i])));
   }
   const auto add_line = [&](const std::vector<Pixel>& line, Json properties) {
-    features.push_back(feature("LineString",
-                               positions(line, [&](Pixel p) { return position(p.x, p.y); }),
-                               std::move(properties)));
+    Json points = positions(line, [&](Pixel p) { return position(p.x, p.y); });
+    if (points.size() == 1) points.push_back(points.front());  // GeoJSON has no shorter lines
+    features.push_back(
+        feature(features.size() + 1, "LineString", std::move(points), std::move(properties)));
   };
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     Json properties = properties_of(found, i);

@@ -40,19 +40,19 @@ void check_nodes(const View<T>& skeleton, const ImagePage& page, const GraphRequ
 FoundGraph described(Graph graph, const View<double>& distances, const ImagePage& page,
                      const GraphRequest& request) {
   const Spacing& spacing = request.pruning.spacing;
+  const double tolerance = request.tolerance.value_or(std::max(spacing.x, spacing.y));
   if (!request.nodes.empty()) graph = split_graph(graph, request.nodes);
   if (request.open_cycles) graph = open_cycles(graph, *request.open_cycles, spacing);
   FoundGraph found = {
       page, distances.width, distances.height, {}, {}, {}, spacing, request.unit, {}, {}, {}};
   found.widths = edge_widths(graph, distances);
   for (const GraphEdge& edge : graph.edges) {
-    found.lines.push_back(polyline(points_of(graph, edge), request.tolerance, spacing));
+    found.lines.push_back(polyline(points_of(graph, edge), tolerance, spacing));
   }
   if (request.with_main_paths) {
     found.main_paths = main_paths(graph, spacing);
     for (const GraphPath& path : found.main_paths) {
-      found.main_lines.push_back(
-          polyline(points_of(graph, path, spacing), request.tolerance, spacing));
+      found.main_lines.push_back(polyline(points_of(graph, path, spacing), tolerance, spacing));
     }
   }
   found.graph = std::move(graph);
@@ -84,9 +84,9 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
   app.add_flag("--main-path", request.with_main_paths,
                "Also the longest of the shortest paths between pixels of each component");
   add_value(app, "--tolerance", request.tolerance,
-            "How far a line may be from the points that are listed for it",
-            real_number(0, no_limit), "N")
-      ->capture_default_str();
+            "How far a line may be from the points that are listed for it, in the unit of the "
+            "spacing (default: the larger side of a pixel)",
+            real_number(0, no_limit), "N");
 }
 
 std::string checked_thinning(const GraphRequest& request) {

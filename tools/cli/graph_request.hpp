@@ -19,7 +19,7 @@ struct GraphRequest {
   Pruning pruning;
   std::optional<double> open_cycles;  // of cycles up to this length
   std::vector<Pixel> nodes;           // pixels that become nodes
-  double tolerance = 1;
+  std::optional<double> tolerance;    // default: the size of a pixel
   bool with_main_paths = false;
   std::string unit;  // of the spacing; empty: unnamed
   int threads = 1;

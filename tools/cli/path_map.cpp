@@ -128,8 +128,9 @@ void place_in_map(PathEnd& end, const PathMap& map) {
   end.pixel = map.pixel(end.point);
   const auto [x, y] = end.pixel;
   if (x >= 0 && x < map.free.width() && y >= 0 && y < map.free.height()) return;
-  throw std::invalid_argument(fmt::format("{} {} is outside the map of {} x {} pixels", end.name,
-                                          end.text, map.free.width(), map.free.height()));
+  const std::string where = map.metres ? fmt::format(" m, which is pixel {},{},", x, y) : "";
+  throw std::invalid_argument(fmt::format("{} {}{} is outside the map of {} x {} pixels", end.name,
+                                          end.text, where, map.free.width(), map.free.height()));
 }
 
 void give_room(PathEnd& end, const PathMap& map, const View<double>& distances,

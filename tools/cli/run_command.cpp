@@ -114,8 +114,8 @@ Command add_run_command(CLI::App& program) {
 
 OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
 you chose it, and what is doubtful about it goes to standard error. In packed files (.pbm, --raw) 1 is
-foreground; they may have up to 2^40 pixels. So may TIFF images of 1 bit per pixel in strips: written
-to .tif they remain so, with a white skeleton, and the foreground is chosen as in grey images.)");
+foreground; they may have up to 2^40 pixels. So may upright TIFF images of 1 bit per pixel in strips:
+written to .tif they remain so, with a white skeleton, and the foreground is chosen as in grey images.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

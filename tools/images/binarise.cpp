@@ -65,21 +65,22 @@ void print_line(const char* kind, const std::string& name, const std::string& te
 namespace {
 
 /// The level from which on the numbers of the file are at least `number`.
-int level_of(int number, const GreyImage& grey) {
+int level_of(double number, const GreyImage& grey) {
+  if (grey.boundary) return *grey.boundary;
   const double level = std::ceil((number - grey.first) / grey.step);
   if (level <= grey.highest()) return static_cast<int>(std::max(level, 0.0));
   throw std::invalid_argument(
-      fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {}",
+      fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {:.9g}",
                   grey.first + grey.step * grey.highest(), number));
 }
 
 /// In levels.
 Binarisation request_for(const GreyImage& grey, const BinariseOptions& options) {
-  Binarisation request = {options.foreground, options.threshold, options.local};
-  if (request.threshold) request.threshold = level_of(*request.threshold, grey);
-  if (request.local && request.local->offset && grey.is_deep()) {
-    const auto offset = static_cast<int>(std::lround(*request.local->offset / grey.step));
-    request.local->offset = std::clamp(offset, 0, grey.highest());
+  Binarisation request = {options.foreground, std::nullopt, options.local};
+  if (options.threshold) request.threshold = level_of(*options.threshold, grey);
+  if (request.local && options.offset) {
+    const double offset = std::round(*options.offset / grey.step);
+    request.local->offset = static_cast<int>(std::min<double>(offset, grey.highest()));
   }
   return request;
 }
@@ -201,7 +202,9 @@ GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options
   GreyFile result = {{}, options.grey.channel, {}};
   std::string decoder_warning = std::move(pixels.warning);
   try {
-    result.grey = grey_of(std::move(pixels), options.grey, result.channel, result.warning);
+    GreyChoice choice = options.grey;
+    choice.boundary = options.threshold;
+    result.grey = grey_of(std::move(pixels), choice, result.channel, result.warning);
   } catch (const DecodeError& error) {
     throw FileError((name == kStandardStream ? "standard input" : name) + ": " + error.what());
   } catch (const std::bad_alloc&) {

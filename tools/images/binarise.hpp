@@ -16,11 +16,12 @@ namespace thinbench {
 
 /// How an image file becomes an image of two classes.
 struct BinariseOptions {
-  Foreground foreground = Foreground::automatic;  // as in Binarisation, as are the next two
-  std::optional<int> threshold = std::nullopt;    // in the file's numbers
+  Foreground foreground = Foreground::automatic;   // as in Binarisation, as are the next two
+  std::optional<double> threshold = std::nullopt;  // in the file's numbers
   /// Damaged JPEG and TIFF files are read as far as possible, with a warning.
   bool lenient = false;
   std::optional<LocalThreshold> local = std::nullopt;
+  std::optional<double> offset = std::nullopt;  // of the local threshold, in the file's numbers
   GreyChoice grey = {};
   /// More foreground than background is nothing doubtful, as free space in maps.
   bool is_mostly_foreground = false;
@@ -43,8 +44,8 @@ struct BinaryImage : Binarised {
 inline constexpr double kMaxUndecided = 0.05;
 inline constexpr double kMinSeparation = 0.8;
 
-/// The image, which has pixels, in two classes. Throws std::invalid_argument for a threshold that
-/// is beyond its levels.
+/// The image, which has pixels, in two classes. Throws std::invalid_argument for a threshold above
+/// the levels that its kind of file has.
 [[nodiscard]] BinaryImage binarise(GreyImage grey, const BinariseOptions& options = {});
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
 

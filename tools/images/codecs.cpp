@@ -45,8 +45,8 @@ Pixels decode(const FileBytes& file, const Decoding& request) {
   return naming(file, [&] { return decode_known(file.text(), request); });
 }
 
-int page_count(const FileBytes& file) {
-  return is_tiff(file.text()) ? count_tiff_pages(file.text()) : 1;
+std::vector<int> pages_in(const FileBytes& file) {
+  return is_tiff(file.text()) ? tiff_pages(file.text()) : std::vector<int>{0};
 }
 
 }  // namespace thinbench

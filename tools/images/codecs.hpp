@@ -39,8 +39,9 @@ auto naming(const FileBytes& file, const Decode& decode) {
   return extension == ".tif" || extension == ".tiff";
 }
 
-/// The number of images in a TIFF file; 1 for all others.
-[[nodiscard]] int page_count(const FileBytes& file);
+/// The images of a TIFF file, counted from 0, without smaller copies and masks of others; {0} of
+/// all other files.
+[[nodiscard]] std::vector<int> pages_in(const FileBytes& file);
 
 /// An image to encode: `stride` in bytes; 1 or 3 channels.
 struct Samples {

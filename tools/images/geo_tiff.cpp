@@ -1,6 +1,7 @@
 #include "images/geo_tiff.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -8,7 +9,7 @@ namespace thinbench {
 namespace {
 
 constexpr std::uint32_t kPixelScale = 33550, kTiePoint = 33922, kTransformation = 34264,
-                        kKeys = 34735;
+                        kKeys = 34735, kNodata = 42113;
 
 /// The values of a tag that libtiff does not know; empty if it is not there.
 template <class T>
@@ -16,7 +17,7 @@ std::span<const T> values_of(const TiffHandle& tiff, std::uint32_t tag) {
   std::uint32_t count = 0;
   const T* values = nullptr;
   const TIFFField* const field = TIFFFindField(tiff.get(), tag, TIFF_ANY);
-  const TIFFDataType type = sizeof(T) == 8 ? TIFF_DOUBLE : TIFF_SHORT;
+  const TIFFDataType type = sizeof(T) == 8 ? TIFF_DOUBLE : sizeof(T) == 2 ? TIFF_SHORT : TIFF_ASCII;
   if (field == nullptr || TIFFFieldDataType(field) != type) return {};
   return TIFFGetField(tiff.get(), tag, &count, &values) == 1 ? std::span(values, count)
                                                              : std::span<const T>();
@@ -33,7 +34,8 @@ int key(std::span<const std::uint16_t> keys, int wanted) {
 }  // namespace
 
 std::optional<GeoReference> geo_reference_of(const TiffHandle& tiff) {
-  constexpr int raster_type = 1025, geographic = 2048, projected = 3072;
+  constexpr int model_type = 1024, model_geographic = 2, raster_type = 1025, geographic = 2048,
+                projected = 3072;
   constexpr int pixel_is_point = 2, user_defined = 32767;
   const auto scale = values_of<double>(tiff, kPixelScale), tie = values_of<double>(tiff, kTiePoint);
   const auto matrix = values_of<double>(tiff, kTransformation);
@@ -54,9 +56,18 @@ std::optional<GeoReference> geo_reference_of(const TiffHandle& tiff) {
   }
   const auto is_finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(place.transform, is_finite)) return std::nullopt;
-  place.epsg = key(keys, projected) != 0 ? key(keys, projected) : key(keys, geographic);
+  const int model = key(keys, model_type);
+  const bool is_geographic = model == model_geographic || (model == 0 && key(keys, projected) == 0);
+  if (model <= model_geographic) place.epsg = key(keys, is_geographic ? geographic : projected);
   if (place.epsg == user_defined) place.epsg = 0;
   return place;
+}
+
+std::optional<double> nodata_of(const TiffHandle& tiff) {
+  const std::span<const char> text = values_of<char>(tiff, kNodata);
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace thinbench

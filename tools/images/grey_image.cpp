@@ -23,48 +23,113 @@ ByteImage adopted(Pixels& image) {
 
 // Numbers of 32 bits become levels of 16.
 
-/// Whole numbers up to 65535 remain; what is not a number counts as the lowest.
-template <class T>
-struct Scale {
-  double first = 0;
-  double step = 1;
+struct Numbers {
+  double lowest = HUGE_VAL;
+  double highest = -HUGE_VAL;
+  bool are_levels = true;  // whole, of 16 bits
 
-  explicit Scale(const Pixels& image) {
-    const T* const all = image.samples_of_row<T>(0);
-    double lowest = HUGE_VAL, highest = -HUGE_VAL;
-    bool fits = true;
-    for (Index i = 0; i < image.samples(); ++i) {
-      const auto value = static_cast<double>(all[i]);
-      if (std::isnan(value)) continue;
-      lowest = std::min(lowest, value);
-      highest = std::max(highest, value);
-      fits = fits && value == std::floor(value);
-    }
-    if (!std::isfinite(highest - lowest))
-      throw DecodeError("it has no finite numbers, or infinite ones");
-    if ((fits && lowest >= 0 && highest <= 65535) || lowest == highest) {
-      first = lowest >= 0 && fits && highest <= 65535 ? 0 : lowest;
-      return;
-    }
-    first = lowest;
-    step = (highest - lowest) / 65535;
-  }
-
-  [[nodiscard]] std::uint16_t level(T value) const {
-    const double level = std::round((static_cast<double>(value) - first) / step);
-    return level >= 0 ? static_cast<std::uint16_t>(std::min(level, 65535.0)) : std::uint16_t{0};
+  void add(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+    are_levels = are_levels && value >= 0 && value <= 65535 && value == std::floor(value);
   }
 };
 
+/// Of the colours where they are seen, and the boundary.
 template <class T>
-Pixels in_levels(const Pixels& image, GreyImage& grey) {
-  const Scale<T> scale(image);
+Numbers numbers_of(const Pixels& image, std::optional<T> boundary) {
+  Numbers numbers;
+  const T* pixel = image.samples_of_row<T>(0);
+  const int colours = image.channels - (image.has_opacity() ? 1 : 0);
+  bool is_seen = false;
+  for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
+    if (colours < image.channels && !(pixel[colours] > 0)) continue;
+    is_seen = true;
+    for (int k = 0; k < colours; ++k) {
+      if (const auto value = static_cast<double>(pixel[k]); !std::isnan(value)) numbers.add(value);
+    }
+  }
+  if (!is_seen) return {0, 0};
+  if (!std::isfinite(numbers.highest - numbers.lowest))
+    throw DecodeError("it has no finite numbers, or infinite ones");
+  if (boundary) numbers.add(static_cast<double>(*boundary));
+  return numbers;
+}
+
+/// Levels that are numbers remain; what is not a number counts as the lowest.
+template <class T>
+class Scale {
+ public:
+  Scale(const Numbers& numbers, std::optional<T> boundary) {
+    if (numbers.are_levels) return;
+    first_ = numbers.lowest;
+    if (numbers.highest > numbers.lowest) step_ = (numbers.highest - numbers.lowest) / 65535;
+    if (!boundary) return;
+    step_ *= 65535.0 / 65533;  // for a level below the boundary and one that it begins
+    const auto zero = static_cast<double>(*boundary);
+    level_of_zero_ = std::floor((zero - first_) / step_) + 1;
+    zero_ = zero;
+    first_ = zero - step_ * level_of_zero_;
+  }
+
+  [[nodiscard]] double first() const { return first_; }
+  [[nodiscard]] double step() const { return step_; }
+  /// The lowest level of numbers from the boundary on.
+  [[nodiscard]] std::optional<int> boundary() const {
+    return zero_ ? std::optional(static_cast<int>(level_of_zero_)) : std::nullopt;
+  }
+  [[nodiscard]] std::uint16_t level(T value) const {
+    const auto number = static_cast<double>(value);
+    const double level = zero_ ? std::floor((number - *zero_) / step_) + level_of_zero_
+                               : std::round((number - first_) / step_);
+    return level >= 0 ? static_cast<std::uint16_t>(std::min(level, 65535.0)) : std::uint16_t{0};
+  }
+
+ private:
+  double first_ = 0;
+  double step_ = 1;
+  std::optional<double> zero_;  // the boundary, at which a level begins
+  double level_of_zero_ = 0;
+};
+
+/// Opacity becomes levels of which 65535 is opaque, as is the greatest opacity of the image.
+template <class T>
+void convert_opacity(const Pixels& image, const Pixels& levels) {
+  const int at = image.channels - 1;
+  const T* const from = image.samples_of_row<T>(0);
+  std::uint16_t* const to = levels.samples_of_row<std::uint16_t>(0);
+  double opaque = 0;
+  for (Index i = at; i < image.samples(); i += image.channels)
+    opaque = std::max(opaque, static_cast<double>(from[i]));
+  for (Index i = at; i < image.samples(); i += image.channels) {
+    const double share = static_cast<double>(from[i]) / opaque;
+    to[i] = share > 0 ? static_cast<std::uint16_t>(std::round(share * 65535)) : std::uint16_t{0};
+  }
+}
+
+/// What samples are compared with: 0.7 is equal to a sample of 0.7, though that is less by
+/// rounding.
+template <class T>
+T nearest(double number) {
+  using Limits = std::numeric_limits<T>;
+  const double whole = std::is_integral_v<T> ? std::ceil(number) : number;
+  return static_cast<T>(
+      std::clamp(whole, static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())));
+}
+
+template <class T>
+Pixels in_levels(const Pixels& image, std::optional<double> number, GreyImage& grey) {
+  std::optional<T> boundary;
+  if (number) boundary = nearest<T>(*number);
+  const Scale<T> scale(numbers_of<T>(image, boundary), boundary);
   Pixels levels = make_pixels(image.width, image.height, image.channels, SampleKind::u16);
   const T* const from = image.samples_of_row<T>(0);
   std::transform(from, from + image.samples(), levels.samples_of_row<std::uint16_t>(0),
                  [&scale](T value) { return scale.level(value); });
-  grey.first = scale.first;
-  grey.step = scale.step;
+  if (image.has_opacity()) convert_opacity<T>(image, levels);
+  grey.first = scale.first();
+  grey.step = scale.step();
+  grey.boundary = scale.boundary();
   levels.is_premultiplied = image.is_premultiplied;
   levels.shows_black = image.shows_black;
   return levels;
@@ -72,10 +137,16 @@ Pixels in_levels(const Pixels& image, GreyImage& grey) {
 
 // Transparency.
 
+/// The level of white.
+template <class T>
+std::uint64_t white(const Pixels& image) {
+  return image.highest > 0 ? image.highest : kMax<T>;
+}
+
 /// The opacity of what is opaque.
 template <class T>
 std::uint64_t opaque(const Pixels& image) {
-  return image.highest > 0 ? image.highest : kMax<T>;
+  return image.opaque > 0 ? image.opaque : white<T>(image);
 }
 
 template <class T>
@@ -98,7 +169,8 @@ void flatten(const Pixels& image, Backdrop backdrop) {
     for (int k = 0; k < colours; ++k) {
       std::uint64_t level = pixel[k];
       if (!image.is_premultiplied) level = (level * opacity + most / 2) / most;
-      if (backdrop == Backdrop::white) level = std::min(level + rest, most);
+      if (backdrop == Backdrop::white)
+        level = std::min(level + rest * white<T>(image) / most, white<T>(image));
       pixel[k] = static_cast<T>(level);
     }
   }
@@ -197,8 +269,8 @@ GreyImage grey_of(Pixels image, const GreyChoice& choice, Channel& channel, std:
     c += a * x + b * y;
     f += d * x + e * y;
   }
-  if (image.kind == SampleKind::u32) image = in_levels<std::uint32_t>(image, grey);
-  if (image.kind == SampleKind::f32) image = in_levels<float>(image, grey);
+  if (image.kind == SampleKind::u32) image = in_levels<std::uint32_t>(image, choice.boundary, grey);
+  if (image.kind == SampleKind::f32) image = in_levels<float>(image, choice.boundary, grey);
   const bool is_deep = image.kind == SampleKind::u16;
   image = is_deep ? levels_of<std::uint16_t>(std::move(image), choice, channel, warning)
                   : levels_of<std::uint8_t>(std::move(image), choice, channel, warning);
@@ -239,13 +311,15 @@ GreyImage copy_of(const GreyImage& image) {
   copy.height = image.height;
   copy.first = image.first;
   copy.step = image.step;
+  copy.boundary = image.boundary;
   copy.place = image.place;
   return copy;
 }
 
 GreyImage in_bytes(GreyImage image) {
   if (!image.is_deep()) return image;
-  const auto highest = static_cast<unsigned>(range_of(image).highest);
+  const auto highest =
+      static_cast<unsigned>(std::max(range_of(image).highest, image.boundary.value_or(0)));
   const int shift = std::max(0, static_cast<int>(std::bit_width(highest)) - 8);
   image.bytes = ByteImage(image.width, image.height);
   for (Index y = 0; y < image.height; ++y) {
@@ -256,6 +330,7 @@ GreyImage in_bytes(GreyImage image) {
   }
   image.deep.reset();
   image.step *= 1 << shift;
+  if (image.boundary) image.boundary = std::min((*image.boundary + (1 << shift) - 1) >> shift, 255);
   return image;
 }
 

@@ -73,11 +73,21 @@ struct Steps {
   Index down;
 };
 
+/// Which coordinates of the source run backwards.
+struct Flips {
+  bool x;
+  bool y;
+};
+
+Flips flips_of(int orientation) {
+  return {orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8,
+          orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7};
+}
+
 Steps steps_of(Index width, Index height, int orientation) {
-  const bool flips_x = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
-  const bool flips_y = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-  const Index along = flips_x ? -1 : 1, across = flips_y ? -width : width;
-  const Index first = (flips_x ? width - 1 : 0) + (flips_y ? (height - 1) * width : 0);
+  const Flips flips = flips_of(orientation);
+  const Index along = flips.x ? -1 : 1, across = flips.y ? -width : width;
+  const Index first = (flips.x ? width - 1 : 0) + (flips.y ? (height - 1) * width : 0);
   return orientation < 5 ? Steps{first, along, across} : Steps{first, across, along};
 }
 
@@ -86,6 +96,29 @@ template <Index... kSizes, class Work>
 void for_size(Index size, const Work& work) {
   static_cast<void>(
       ((size == kSizes && (work(std::integral_constant<Index, kSizes>()), true)) || ...));
+}
+
+/// Makes a transform of the source one of the upright image of this size.
+void turn_back(std::array<double, 6>& transform, Index width, Index height, int orientation) {
+  auto& [a, b, c, d, e, f] = transform;
+  const bool transposes = orientation > 4;
+  if (transposes) std::swap(width, height);
+  const Flips flips = flips_of(orientation);
+  if (flips.x) {
+    c += a * static_cast<double>(width);
+    f += d * static_cast<double>(width);
+    a = -a;
+    d = -d;
+  }
+  if (flips.y) {
+    c += b * static_cast<double>(height);
+    f += e * static_cast<double>(height);
+    b = -b;
+    e = -e;
+  }
+  if (!transposes) return;
+  std::swap(a, b);
+  std::swap(d, e);
 }
 
 /// In blocks, as neighbours in one image lie far apart in the other.
@@ -120,7 +153,7 @@ Pixels turned(Pixels image, int orientation) {
   std::swap(image.bytes, to.bytes);
   std::swap(image.width, to.width);
   std::swap(image.height, to.height);
-  image.place.reset();
+  if (image.place) turn_back(image.place->transform, image.width, image.height, orientation);
   return image;
 }
 

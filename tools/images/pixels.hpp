@@ -44,6 +44,7 @@ struct Pixels {
   SampleKind kind = SampleKind::u8;
   detail::AlignedArray<std::uint8_t> bytes = nullptr;
   std::uint32_t highest = 0;      // what samples reach, such as 4095; 0: what their kind holds
+  std::uint32_t opaque = 0;       // the opacity of what is opaque; 0: `highest`
   double first = 0;               // what a sample of 0 stands for: signed samples begin lower
   bool is_premultiplied = false;  // colours are multiplied by the opacity
   bool shows_black = false;       // where transparent, unless the user wants otherwise

@@ -26,7 +26,8 @@ struct Layout {
   int bits, samples, format, photometric, compression;
   bool is_planar, is_tiled;
   Index block_width, block_height;  // of tiles; strips are as wide as the image
-  int opacity;                      // the kind of the first extra sample
+  int opacity;                      // the kind of the sample that is one, if there is one
+  int opacity_sample;               // its place in a pixel
 
   [[nodiscard]] int colours() const {
     return photometric == PHOTOMETRIC_SEPARATED                                 ? 4
@@ -34,8 +35,11 @@ struct Layout {
                                                                                 : 1;
   }
   [[nodiscard]] bool has_opacity() const {
-    return samples > colours() &&
-           (opacity == EXTRASAMPLE_ASSOCALPHA || opacity == EXTRASAMPLE_UNASSALPHA);
+    return opacity == EXTRASAMPLE_ASSOCALPHA || opacity == EXTRASAMPLE_UNASSALPHA;
+  }
+  /// The sample that is a channel of the image.
+  [[nodiscard]] Index sample_of(Index channel) const {
+    return channel < colours() ? channel : opacity_sample;
   }
   [[nodiscard]] int channels() const { return colours() + (has_opacity() ? 1 : 0); }
   /// Samples of a pixel in one block.
@@ -69,7 +73,12 @@ Layout layout_of(const TiffHandle& tiff) {
   std::uint16_t count = 0;
   std::uint16_t* kinds = nullptr;
   TIFFGetField(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
-  layout.opacity = count > 0 ? kinds[0] : EXTRASAMPLE_UNSPECIFIED;
+  const auto* const opacity = std::find_if(kinds, kinds + count, [](std::uint16_t kind) {
+    return kind == EXTRASAMPLE_ASSOCALPHA || kind == EXTRASAMPLE_UNASSALPHA;
+  });
+  layout.opacity_sample = layout.samples - count + static_cast<int>(opacity - kinds);
+  const bool is_there = opacity != kinds + count && layout.opacity_sample >= layout.colours();
+  layout.opacity = is_there ? *opacity : EXTRASAMPLE_UNSPECIFIED;
   return layout;
 }
 
@@ -203,6 +212,10 @@ void unpack(const std::uint8_t* from, Index count, int bits, T* to) {
     for (Index i = 0; i < count; ++i) {
       double value = 0;
       std::memcpy(&value, from + 8 * i, 8);
+      if constexpr (std::is_same_v<T, float>) {  // finite numbers remain finite
+        constexpr double most = std::numeric_limits<float>::max();
+        if (std::isfinite(value)) value = std::clamp(value, -most, most);
+      }
       to[i] = static_cast<T>(value);
     }
   } else if (bits == 8 * static_cast<int>(sizeof(T))) {
@@ -272,7 +285,7 @@ class BlockReader {
   void decode(std::uint8_t* to, Index bytes, Index x, Index y, int plane) {
     TIFF* const tiff = tiff_.get();
     const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
-    const auto sample = static_cast<std::uint16_t>(plane);
+    const auto sample = static_cast<std::uint16_t>(layout_.sample_of(plane));
     const tmsize_t got =
         layout_.is_tiled
             ? TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, column, row, 0, sample), to, bytes)
@@ -296,9 +309,13 @@ class BlockReader {
     row_.resize(static_cast<std::size_t>(columns * together) * sizeof(T));
     T* const samples = reinterpret_cast<T*>(row_.data());
     unpack(from, columns * together, layout_.bits, samples);
-    const Index copied = layout_.is_planar ? 1 : channels;
+    if (layout_.is_planar) {
+      for (Index i = 0; i < columns; ++i) to[i * channels + plane] = samples[i];
+      return;
+    }
     for (Index i = 0; i < columns; ++i) {
-      for (Index k = 0; k < copied; ++k) to[i * channels + k + plane] = samples[i * together + k];
+      for (Index k = 0; k < channels; ++k)
+        to[i * channels + k] = samples[i * together + layout_.sample_of(k)];
     }
   }
 
@@ -359,18 +376,29 @@ void set_levels(const Pixels& image, std::uint32_t max, bool is_white_first) {
   for_each_sample<std::uint8_t>(image, [&](std::uint8_t v) { return levels[v]; });
 }
 
-/// Signed samples begin at `first`; where none is negative, at 0.
+/// Signed samples become unsigned ones that begin at the lowest number, or at 0 where none is
+/// negative. Numbers that stand for nothing or are transparent count as the lowest.
 template <class T, class Signed>
-void make_unsigned(Pixels& image) {
-  const auto* const all = image.samples_of_row<Signed>(0);
-  const bool has_negative = std::any_of(all, all + image.samples(), [](Signed v) { return v < 0; });
-  if (!has_negative) return;
-  if constexpr (sizeof(T) == 4) {
+void make_unsigned(Pixels& image, std::optional<double> nodata) {
+  const int opacity = image.has_opacity() ? image.channels - 1 : image.channels;
+  if (image.has_opacity()) image.opaque = std::numeric_limits<Signed>::max();
+  const auto for_each = [&](const auto& work) {
+    Signed* pixel = image.samples_of_row<Signed>(0);
+    for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
+      const bool is_seen = opacity == image.channels || pixel[opacity] > 0;
+      for (int k = 0; k < opacity; ++k) work(pixel[k], is_seen && pixel[k] != nodata);
+      if (opacity < image.channels) pixel[opacity] = std::max(pixel[opacity], Signed{0});
+    }
+  };
+  std::int64_t lowest = 0;
+  for_each(
+      [&](Signed v, bool counts) { lowest = counts ? std::min<std::int64_t>(lowest, v) : lowest; });
+  if (sizeof(T) == 4 && lowest < 0)
     throw DecodeError("it has negative numbers of 32 bits, which are not read");
-  } else {
-    image.first = std::numeric_limits<Signed>::min();
-    for_each_sample<T>(image, [](T v) { return static_cast<T>(v ^ T{1} << (8 * sizeof(T) - 1)); });
-  }
+  image.first = static_cast<double>(lowest);
+  for_each([&](Signed& v, bool counts) {
+    v = static_cast<Signed>(static_cast<T>(counts ? v - lowest : 0));
+  });
 }
 
 std::vector<PaletteColour> palette_of(const TiffHandle& tiff, int bits) {
@@ -411,14 +439,21 @@ Pixels without_inks(const Pixels& inks) {
   return image;
 }
 
+/// Numbers that stand for nothing are none.
+void forget(const Pixels& image, double nodata) {
+  const auto none = static_cast<float>(nodata);
+  for_each_sample<float>(image, [none](float v) { return v == none ? std::nanf("") : v; });
+}
+
 /// What the stored samples mean.
-Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, bool as_stored) {
+Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout,
+                   std::optional<double> nodata, bool as_stored) {
   if (layout.is_signed() && image.kind == SampleKind::u8)
-    make_unsigned<std::uint8_t, std::int8_t>(image);
+    make_unsigned<std::uint8_t, std::int8_t>(image, nodata);
   if (layout.is_signed() && image.kind == SampleKind::u16)
-    make_unsigned<std::uint16_t, std::int16_t>(image);
+    make_unsigned<std::uint16_t, std::int16_t>(image, nodata);
   if (layout.is_signed() && image.kind == SampleKind::u32)
-    make_unsigned<std::uint32_t, std::int32_t>(image);
+    make_unsigned<std::uint32_t, std::int32_t>(image, nodata);
   const bool is_white_first = layout.photometric == kMinIsWhite;
   if (is_white_first && as_stored) {
     throw DecodeError("labels need 0 as black, and its 0 is white");
@@ -491,10 +526,16 @@ bool is_tiff(std::string_view bytes) {
   return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
-int count_tiff_pages(std::string_view bytes) {
+std::vector<int> tiff_pages(std::string_view bytes) {
   const TiffHandle tiff(bytes);
-  return tiff.get() == nullptr ? 1
-                               : std::max(1, static_cast<int>(TIFFNumberOfDirectories(tiff.get())));
+  std::vector<int> pages = {0};
+  if (tiff.get() == nullptr) return pages;
+  for (int page = 1; TIFFReadDirectory(tiff.get()) == 1; ++page) {
+    std::uint32_t kind = 0;
+    TIFFGetField(tiff.get(), TIFFTAG_SUBFILETYPE, &kind);
+    if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) pages.push_back(page);
+  }
+  return pages;
 }
 
 Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
@@ -507,10 +548,16 @@ Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
   const Layout layout = layout_of(tiff);
   const int orientation = tiff.number(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   check_layout(layout, bytes.size());
-  if (needs_conversion(layout)) return turned(converted(tiff, layout), orientation);
+  if (needs_conversion(layout)) {
+    Pixels image = converted(tiff, layout);
+    image.place = geo_reference_of(tiff);
+    return turned(std::move(image), orientation);
+  }
   check_samples(layout);
-  Pixels image = interpreted(stored(tiff, layout, kind_of(layout), request.lenient), tiff, layout,
-                             request.as_stored);
+  Pixels image = stored(tiff, layout, kind_of(layout), request.lenient);
+  const std::optional<double> nodata = request.as_stored ? std::nullopt : nodata_of(tiff);
+  if (nodata && image.kind == SampleKind::f32) forget(image, *nodata);
+  image = interpreted(std::move(image), tiff, layout, nodata, request.as_stored);
   if (layout.bits > 8 && layout.bits < 16) image.highest = (1U << layout.bits) - 1;
   image.shows_black = layout.has_opacity();
   image.is_premultiplied = layout.opacity == EXTRASAMPLE_ASSOCALPHA;

@@ -13,7 +13,8 @@ namespace thinbench {
 /// By its first four bytes.
 [[nodiscard]] bool is_tiff(std::string_view bytes);
 
-[[nodiscard]] int count_tiff_pages(std::string_view bytes);
+/// The images of a file, without smaller copies and masks of others; the first one always.
+[[nodiscard]] std::vector<int> tiff_pages(std::string_view bytes);
 
 /// Throws DecodeError.
 [[nodiscard]] Pixels decode_tiff(std::string_view bytes, const Decoding& request);
