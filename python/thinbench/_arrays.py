@@ -119,11 +119,16 @@ def with_rows(array: Array) -> Array:
     return array
 
 
+def row_stride(array: Array) -> int:
+    """The elements from a row to the next; NumPy gives axes of length 1 and arrays without elements any strides."""
+    width: int = array.shape[-1]
+    return width if array.flags.c_contiguous else array.strides[-2] // array.itemsize
+
+
 def image(array: Array) -> bytes:
     """A thinbench_image struct of rows."""
     height, width = array.shape
-    stride = array.strides[0]
-    return _pack_image(_IMAGE_SIZE, _address(array), width, height, stride if stride > width else width, 0)
+    return _pack_image(_IMAGE_SIZE, _address(array), width, height, row_stride(array), 0)
 
 
 def result_image(result: Array) -> bytes:
@@ -140,17 +145,17 @@ def images(source: Array, result: Array) -> tuple[bytes, bytes]:
 def stacks(source: Array, result: Array) -> tuple[bytes, bytes]:
     """thinbench_stack structs, likewise."""
     count, height, width = source.shape
-    stride = max(source.strides[1], width)
+    stride = row_stride(source)
+    image_stride = height * width if source.flags.c_contiguous else source.strides[0]
     size, pack = _library.STACK.size, _library.STACK.pack
-    return (pack(size, _address(source), count, width, height, stride, max(source.strides[0], height * stride), 0),
+    return (pack(size, _address(source), count, width, height, stride, image_stride, 0),
             pack(size, _address(result), count, width, height, width, height * width, result.dtype.kind == "b"))
 
 
 def numbers(array: Array) -> bytes:
     """A thinbench_labels, thinbench_reals or thinbench_image16 struct of rows."""
     height, width = array.shape
-    return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height,
-                                 max(array.strides[0] // array.itemsize, width))
+    return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height, row_stride(array))
 
 
 def label_rows(image: Array) -> Array:

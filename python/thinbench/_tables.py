@@ -30,7 +30,7 @@ def bits(name: str, values: Any, width: int = WINDOWS) -> Tables:
     others = array[(array != 0) & (array != 1)]
     if others.size:
         raise ValueError(f"{name}: expected values 0 and 1, got {others[0]}")
-    tables: Tables = array.reshape(-1, width).astype(bool)
+    tables: Tables = array.reshape(-1, width).astype(bool, order="C")
     return tables
 
 

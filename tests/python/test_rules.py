@@ -38,6 +38,12 @@ def test_tables_are_bits_of_any_type_and_read_only(kind):
         rule.border = "keep"
 
 
+def test_tables_may_have_any_strides():
+    tables = np.random.RandomState(1).rand(4, 512) < 0.5
+    for view in (np.asfortranarray(tables), tables[::-2, ::-1], np.asfortranarray(tables)[:1]):
+        np.testing.assert_array_equal(Rule(view, max_iterations=1).tables, view)
+
+
 @pytest.mark.parametrize(("rule", "table"), [
     (Rule.from_hensel("B/S012345678"), CENTRE), (Rule.from_patterns(["1:(..1 .0. ...)->1"]), CENTRE | PIXELS[2]),
     *((Rule.from_removals(np.arange(256) >> 3 & 1, order), CENTRE & ~PIXELS[pixel])
