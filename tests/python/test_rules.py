@@ -99,6 +99,27 @@ def test_rules_are_values():
     assert repr(rule) == "Rule(custom, 1 sub-iteration, border='keep', max_iterations=4)"
 
 
+class Named(Rule):
+    """With an attribute and with other parameters than a rule's."""
+
+    def __init__(self, label: str) -> None:
+        super().__init__(CENTRE, max_iterations=3)
+        self.label = label
+
+
+class Plain(Rule):
+    """Without anything of its own."""
+
+
+@pytest.mark.parametrize("rule", [
+    Named("a"), Plain(CENTRE, border="keep"), Plain.named("majority"), Plain.from_hensel("B3/S23", max_iterations=1),
+    Plain.from_two_layer_net(np.ones((9, 9))), Plain.from_cluster([255], np.ones((1, 9)))], ids=repr)
+def test_copies_of_a_subclass_are_of_it(rule):
+    for same in (pickle.loads(pickle.dumps(rule)), copy.copy(rule), copy.deepcopy(rule)):
+        assert type(same) is type(rule) and same == rule and same.name == rule.name
+        assert getattr(same, "label", None) == getattr(rule, "label", None)
+
+
 # Files.
 
 def written(directory: Path, content: object) -> Path:
@@ -145,8 +166,9 @@ LIFE = '"hensel": "B3/S23", "max_iterations": 1'
     (f'{{{LIFE}, "colour": 1}}', 'unknown key "colour"'),
     (f'{{{LIFE}, "border": "wrap"}}', "border: .* 'wrap'"),
     (f'{{{LIFE}, "name": "a\\nb"}}', "name must have"),
-    ('{"hensel": "B/S", "max_iterations": 0}', "at least 1, got 0"),
+    ('{"hensel": "B/S", "max_iterations": 0}', "rule.json: max_iterations: expected at least 1, got 0"),
     ('{"hensel": "B/S", "max_iterations": true}', "expected an integer"),
+    ('{"hensel": "B/S", "max_iterations": null}', "rule.json: max_iterations: expected an integer, got None"),
     ('{"hensel": "B/S", "max_iterations": NaN}', "expected an integer, got nan"),
     ('{"hensel": 5}', "hensel is invalid: .* got 5"),
     ('{"hensel": "B9/S"}', "hensel is invalid: .* got '9'"),
