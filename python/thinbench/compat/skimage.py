@@ -177,7 +177,7 @@ def remove_small_objects(ar: npt.ArrayLike, min_size: float = 64, connectivity: 
     ar : array of bool or of integers, shape (H, W)
         Objects, or labels of at least 0, which need not be connected.
     min_size : number
-        The area of the smallest object that stays.
+        The area of the smallest object that stays; 0 removes nothing, and takes any integers.
     connectivity : {1, 2}
         Of objects: pixels have 4 or 8 neighbours.
     out : array, optional
@@ -207,12 +207,20 @@ def remove_small_objects(ar: npt.ArrayLike, min_size: float = 64, connectivity: 
         raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
     least = _arrays.real("min_size", min_size)
     result = _arrays.result_for(picture, out)
+    if least == 0:  # as in scikit-image, also of negative numbers
+        np.copyto(result, picture)
+        return result
+    if picture.dtype.kind == "i" and picture.size and picture.min() < 0:
+        raise ValueError(f"ar: expected labels of at least 0, got {picture.min()}; `skimage.label` makes them")
     if picture.dtype == bool:
-        labels, (objects, _) = _images.numbered_objects(picture, 4 * connectivity)
+        labels, (objects, _) = _images.numbered_objects(picture, 4 if connectivity == 1 else 8)
         areas = np.append(0, objects["area"])
+    elif picture.dtype.kind == "u" and picture.itemsize == 8:  # may be too large for an index
+        _, places, areas = np.unique(picture, return_inverse=True, return_counts=True)
+        labels = places.reshape(picture.shape)
     else:
         labels, areas = picture, np.bincount(picture.ravel())
-    np.multiply(picture, (areas >= least)[labels], out=result, casting="unsafe")
+    np.multiply(picture, ~(areas < least)[labels], out=result, casting="unsafe")
     return result
 
 
@@ -260,8 +268,6 @@ def _of_objects(ar: npt.ArrayLike, original: str) -> npt.NDArray[Any]:
     picture = _inputs.picture_of(ar, "ar", original)
     if picture.dtype.kind not in "biu":
         raise TypeError(f"ar: expected bool or integers, got {picture.dtype}; `ar > threshold` makes one")
-    if picture.dtype.kind == "i" and picture.size and picture.min() < 0:
-        raise ValueError(f"ar: expected labels of at least 0, got {picture.min()}; `skimage.label` makes them")
     return picture
 
 
