@@ -181,20 +181,23 @@ class Graph:
         labels[tuple(self._nodes.values.T)] = np.repeat(of_nodes, self._nodes.lengths())
         return labels
 
-    def polylines(self, tolerance: float = 1) -> list[Array]:
+    def polylines(self, tolerance: float | None = None) -> list[Array]:
         """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
-        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2)."""
-        return [self._polyline(self.edge_points(i), tolerance) for i in range(len(self.edges["from"]))]
+        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2).
+
+        The tolerance is in the unit of the spacing; by default it is the larger side of a pixel."""
+        most = max(self.spacing) if tolerance is None else _arrays.real("tolerance", tolerance)
+        return [self._polyline(self.edge_points(i), most) for i in range(len(self.edges["from"]))]
 
     def _polyline(self, chain: Array, tolerance: float) -> Array:
         points = np.ascontiguousarray(chain[:, ::-1], np.int32)
         kept = np.empty(chain.shape, np.int32)
         count = ctypes.c_size_t()
-        _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance),
-                          _library.spacing(*self.spacing), kept.ctypes.data, ctypes.byref(count))
+        _library.polyline(points.ctypes.data, len(points), tolerance, _library.spacing(*self.spacing),
+                          kept.ctypes.data, ctypes.byref(count))
         return kept[:count.value, ::-1].copy()
 
-    def smoothed_lengths(self, tolerance: float = 1) -> Array:
+    def smoothed_lengths(self, tolerance: float | None = None) -> Array:
         """The length of each of `polylines(tolerance)`, which is less than that of the steps where a line runs
         between the directions of rows, columns and diagonals."""
         return self._lengths(self.polylines(tolerance))
@@ -243,7 +246,7 @@ class Graph:
         Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges and the
         last: it leads back to the first node. The points end with the first one.
         """
-        return [self._path(*path) for path in _network.cycles(*self._links())]
+        return [_closed(self._path(*path)) for path in _network.cycles(*self._links())]
 
     def open_cycles(self, max_length: float = math.inf) -> Graph:
         """The graph without the closing edges of `cycles()` that are at most so long: without their
@@ -272,12 +275,12 @@ class Graph:
         point = _arrays.real("row", row), _arrays.real("column", column)
         if not all(map(math.isfinite, point)):
             raise ValueError(f"nearest: expected a finite point, got {point[0]:g}, {point[1]:g}")
-        away = (self._chains.values - point) * self.spacing
-        squares = (away ** 2).sum(axis=1)
-        at = int(squares.argmin())
+        with np.errstate(over="ignore"):  # beyond all numbers is infinity
+            distances = np.hypot(*((self._chains.values - point) * self.spacing).T)
+        at = int(distances.argmin())
         edge = int(np.searchsorted(self._chains.bounds, at, side="right")) - 1
         place = self._chains.values[at]
-        return GraphPlace(edge, int(place[0]), int(place[1]), float(np.sqrt(squares[at])))
+        return GraphPlace(edge, int(place[0]), int(place[1]), float(distances[at]))
 
     def parents(self, root: int) -> Array:
         """For each node the next one on the way to node `root`, as in SWC files; -1 for the root itself and in
@@ -303,7 +306,8 @@ class Graph:
             to_visit += children.tolist()
         return parents
 
-    def summary(self, separator: str = "-", *, image: npt.ArrayLike | None = None, tolerance: float = 1) -> Columns:
+    def summary(self, separator: str = "-", *, image: npt.ArrayLike | None = None,
+                tolerance: float | None = None) -> Columns:
         """A table of the edges with the column names of skan's `summarize`, as a dict of arrays.
 
         "branch-type" is 0 between ends, 1 between an end and a junction, 2 between junctions, 3 for a
@@ -346,12 +350,14 @@ class Graph:
         ends = (first == "end").astype(int) + (last == "end")
         return np.where(first == "cycle", 3, 2 - ends)
 
-    def to_geojson(self, tolerance: float = 1, transform: Sequence[float] | None = None) -> dict[str, Any]:
+    def to_geojson(self, tolerance: float | None = None, transform: Sequence[float] | None = None) -> dict[str, Any]:
         """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
 
+        The lines are `polylines(tolerance)`.
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f, by default that of the
-        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count
-        from 1. A width without background is None.
+        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5.
+        Ids count from 1: those of features go on from the nodes to the edges, those in properties do not.
+        A width without background is None.
         """
         spaced = (self.spacing[1], 0, 0, 0, self.spacing[0], 0)
         a, b, c, d, e, f = _finite("transform", spaced if transform is None else transform)
@@ -360,16 +366,18 @@ class Graph:
             x, y = float(column) + 0.5, float(row) + 0.5
             return _finite("transform", [a * x + b * y + c, d * x + e * y + f], 2)
 
-        def feature(kind: str, coordinates: Any, properties: dict[str, Any]) -> dict[str, Any]:
-            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties}
-
         nodes, edges = self.nodes, self.edges
         widths = {name: name.replace("-", "_") for name in edges if name.startswith("width-")}
-        features = []
+        features: list[dict[str, Any]] = []
+
+        def add(kind: str, coordinates: Any, properties: dict[str, Any]) -> None:
+            features.append({"type": "Feature", "id": len(features) + 1,
+                             "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties})
+
         for i in range(len(nodes["kind"])):
             properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i]),
                           **_label(nodes, i)}
-            features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
+            add("Point", position(nodes["row"][i], nodes["column"][i]), properties)
         lines = self.polylines(tolerance)
         smoothed_lengths = self._lengths(lines)
         for i, line in enumerate(lines):
@@ -380,7 +388,7 @@ class Graph:
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
             properties |= _label(edges, i)
-            features.append(feature("LineString", [position(*point) for point in line], properties))
+            add("LineString", [position(*point) for point in line], properties)
         return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
@@ -471,6 +479,12 @@ def counted(nodes: Columns, edges: Columns, spacing: tuple[float, float], shape:
     nodes["degree"] = np.bincount(edges["from"], minlength=count) + np.bincount(edges["to"], minlength=count)
     nodes["component"] = _network.components(count, _network.links(edges["from"], edges["to"], edges["length"]))
     return Graph(nodes, edges, spacing, shape, node_pixels, chains, table, distances)
+
+
+def _closed(cycle: GraphPath) -> GraphPath:
+    """With the first point at its end, also where it leaves a node by another pixel than it enters it."""
+    points = cycle.points
+    return cycle if (points[0] == points[-1]).all() else cycle._replace(points=np.concatenate([points, points[:1]]))
 
 
 def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
