@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import operator
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, TypeVar
 
 import numpy as np
@@ -22,12 +22,20 @@ _BINARY = (_UINT8, _BOOL)
 _pack_image, _IMAGE_SIZE, _address = _library.IMAGE.pack, _library.IMAGE.size, _library.address
 
 
+def as_array(name: str, values: Any, dtype: npt.DTypeLike = None) -> Array:
+    """What NumPy makes of values; not of lists of different lengths."""
+    try:
+        return np.asarray(values, dtype)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name}: expected an array; {error}") from None
+
+
 def unmasked(image: Any, name: str = "image") -> Array:
     """An array, no element of which is masked."""
     masked = np.count_nonzero(image.mask) if isinstance(image, np.ma.MaskedArray) else 0
     if masked:
         raise ValueError(f"{name}: expected no masked elements, got {masked}; `{name}.filled(0)` makes them background")
-    return np.asarray(image)
+    return as_array(name, image)
 
 
 def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool | None = False) -> Array:
@@ -178,6 +186,30 @@ def integer(name: str, value: Any) -> int:
     return number
 
 
+def number_below(count: int, name: str, value: Any) -> int:
+    """Such as that of a node."""
+    number = integer(name, value)
+    if not 0 <= number < count:
+        raise ValueError(f"{name}: expected a number from 0 to {count - 1}, got {number}")
+    return number
+
+
+def pixel(name: str, point: Any) -> tuple[int, int]:
+    """The column and row of what has a row and a column."""
+    try:
+        row, column = point
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected a row and a column, got {point!r}") from None
+    return integer(name, column), integer(name, row)
+
+
+def each(name: str, values: Iterable[_Value]) -> Iterator[_Value]:
+    try:
+        return iter(values)
+    except TypeError:
+        raise TypeError(f"{name}: expected a list, got {values!r}") from None
+
+
 def execution(threads: Any) -> bytes | None:
     """A thinbench_execution struct."""
     return _library.execution(integer("threads", threads))
@@ -209,7 +241,7 @@ def spacing(name: str, value: Any) -> tuple[float, float]:
     """The distance of rows and that of columns, from one number or two."""
     if type(value) is int and value == 1:
         return 1.0, 1.0
-    numbers = (value, value) if np.ndim(value) == 0 else tuple(value)
+    numbers = (value, value) if as_array(name, value).ndim == 0 else tuple(value)
     if len(numbers) != 2:
         raise ValueError(f"{name}: expected a number or two, of rows and of columns, got {value!r}")
     rows, columns = (real(name, number) for number in numbers)
@@ -219,11 +251,15 @@ def spacing(name: str, value: Any) -> tuple[float, float]:
     return rows, columns
 
 
-def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
-    """What a name stands for in the C interface."""
+def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {value!r}")
-    found = allowed.get(value)
+    return value
+
+
+def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
+    """What a name stands for, such as in the C interface."""
+    found = allowed.get(text(name, value))
     if found is None:
         raise ValueError(f"{name}: expected one of {', '.join(allowed)}; got {value!r}{meant(value, allowed)}")
     return found

@@ -122,7 +122,7 @@ class Rule:
         >>> bool(keep.tables[0, 16])
         True
         """
-        array = np.atleast_1d(last)
+        array = np.atleast_1d(_arrays.as_array("last", last))
         if array.ndim != 1 or array.size == 0:
             raise ValueError("last: expected shape (nets,) with at least one net, and weights of shape (nets, 9); "
                              f"got {array.shape}")
@@ -347,7 +347,7 @@ def _of_cluster(ends: npt.NDArray[np.int32], nets: npt.NDArray[np.float32]) -> i
 
 
 def _weights(weights: npt.ArrayLike, neurons: int) -> npt.NDArray[np.float32]:
-    array = np.asarray(weights)
+    array = _arrays.as_array("weights", weights)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"weights: expected numbers, got dtype {array.dtype}")
     if array.shape != (neurons, 9):

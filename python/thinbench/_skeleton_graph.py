@@ -25,9 +25,6 @@ class Groups(NamedTuple):
     bounds: Array
 
     def of(self, i: int) -> Array:
-        if not -len(self.bounds) < i < len(self.bounds) - 1:
-            raise IndexError(f"expected a number below {len(self.bounds) - 1}, got {i}")
-        i %= len(self.bounds) - 1
         return self.values[self.bounds[i]:self.bounds[i + 1]]
 
     def lengths(self) -> Array:
@@ -144,11 +141,14 @@ class Graph:
 
     def node_pixels(self, node: int) -> Array:
         """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
-        return self._nodes.of(node)
+        return self._nodes.of(self._node("node", node))
 
     def edge_points(self, edge: int) -> Array:
         """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
-        return self._chains.of(edge)
+        return self._chains.of(_arrays.number_below(len(self.edges["from"]), "edge", edge))
+
+    def _node(self, name: str, number: Any) -> int:
+        return _arrays.number_below(len(self.nodes["kind"]), name, number)
 
     def edge_widths(self, edge: int) -> Array:
         """The width at each of `edge_points(edge)`. The graph must know its image."""
@@ -234,8 +234,8 @@ class Graph:
 
     def shortest_path(self, from_node: int, to_node: int) -> GraphPath:
         """Between two nodes; its points are those along the way. ValueError if there is none."""
-        found = _network.shortest_path(*self._links(), _arrays.integer("from_node", from_node),
-                                       _arrays.integer("to_node", to_node))
+        found = _network.shortest_path(*self._links(), self._node("from_node", from_node),
+                                       self._node("to_node", to_node))
         if not found:
             raise ValueError(f"no path leads from node {from_node} to node {to_node}")
         return self._path(*found[0])
@@ -285,9 +285,7 @@ class Graph:
     def parents(self, root: int) -> Array:
         """For each node the next one on the way to node `root`, as in SWC files; -1 for the root itself and in
         other components. ValueError if the component has cycles, of which `open_cycles()` has none."""
-        number, count = _arrays.integer("root", root), len(self.nodes["kind"])
-        if not 0 <= number < count:
-            raise ValueError(f"root: expected the number of a node from 0 to {count - 1}, got {number}")
+        number, count = self._node("root", root), len(self.nodes["kind"])
         is_in = self.nodes["component"] == self.nodes["component"][number]
         cycles = int(is_in[self.edges["from"]].sum() - is_in.sum()) + 1
         if cycles > 0:
@@ -323,7 +321,8 @@ class Graph:
         table["branch-distance"] = edges["length"].copy()
         table["branch-type"] = self._branch_types()
         if image is not None:
-            table["mean-pixel-value"], table["stdev-pixel-value"] = self._means_and_deviations(np.asarray(image, float))
+            table["mean-pixel-value"], table["stdev-pixel-value"] = self._means_and_deviations(
+                _arrays.as_array("image", image, float))
         places = {side: self._chains.values[at] for side, _, at in sides}
         for prefix, unit in (("image-coord", (1, 1)), ("coord", self.spacing)):
             for side, pixels in places.items():
@@ -333,7 +332,7 @@ class Graph:
             table["tortuosity"] = np.where(edges["chord"] > 0, edges["length"] / edges["chord"], np.nan)
         table["smoothed-length"] = self.smoothed_lengths(tolerance)
         table.update({name: edges[name].copy() for name in edges if name.startswith("width-") or name == "label"})
-        return {name.replace("-", separator): column for name, column in table.items()}
+        return {name.replace("-", _arrays.text("separator", separator)): column for name, column in table.items()}
 
     def _means_and_deviations(self, image: Array) -> tuple[Array, Array]:
         """Of its values along each edge."""
@@ -411,13 +410,14 @@ class Graph:
         from scipy import sparse  # type: ignore[import]
 
         ends = np.sort(np.stack([self.edges["from"], self.edges["to"]]), axis=0)
-        order = np.lexsort((self.edges[weight], ends[1], ends[0]))
+        column = _arrays.one_of("weight", weight, self.edges)
+        order = np.lexsort((column, ends[1], ends[0]))
         order = order[ends[0, order] != ends[1, order]]
         first = np.ones(len(order), bool)
         first[1:] = (np.diff(ends[:, order]) != 0).any(axis=0)
         order = order[first]
         one, other = ends[:, order].astype(np.int64)
-        weights = np.tile(self.edges[weight][order], 2)
+        weights = np.tile(column[order], 2)
         places = np.concatenate([one, other]), np.concatenate([other, one])
         count = len(self.nodes["kind"])
         return sparse.coo_matrix((weights, places), (count, count)).tocsr()
@@ -489,7 +489,7 @@ def _closed(cycle: GraphPath) -> GraphPath:
 
 def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
     """Numbers of edges, which are given as such or by a bool for each."""
-    chosen = np.asarray(edges)
+    chosen = _arrays.as_array("edges", edges)
     if chosen.dtype == bool and chosen.shape != (count,):
         raise ValueError(f"edges: expected bools of shape ({count},), got {chosen.shape}")
     if chosen.ndim != 1:
@@ -508,7 +508,7 @@ def _label(columns: Columns, i: int) -> dict[str, int]:
 
 
 def _finite(name: str, numbers: Sequence[float], count: int = 6) -> list[float]:
-    found = [_arrays.real(name, number) for number in numbers]
+    found = [_arrays.real(name, number) for number in _arrays.each(name, numbers)]
     for number in found:
         if not math.isfinite(number):
             raise ValueError(f"{name}: expected finite numbers, got {number}")

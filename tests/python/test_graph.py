@@ -269,7 +269,7 @@ def test_parents_lead_to_the_root_of_a_tree():
     graph = thinbench.skeleton_graph(np.vstack([TREE, np.zeros_like(TREE[:1]), TREE[:1]]))
     assert graph.parents(3)[:4].tolist() == [2, 2, 3, -1]
     assert graph.parents(0).tolist() == [-1, 2, 0, 2, -1, -1]
-    with pytest.raises(ValueError, match="root: expected the number of a node from 0 to 5, got 6"):
+    with pytest.raises(ValueError, match="root: expected a number from 0 to 5, got 6"):
         graph.parents(6)
     eight = thinbench.skeleton_graph(EIGHT)
     with pytest.raises(ValueError, match="root: expected a node of a tree, got 1 in a component with 2 cycles"):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Sequence
 from typing import Any, Literal
@@ -92,12 +93,13 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     >>> print(skimage.skeletonize(np.ones((3, 5)))[1].astype(int))
     [1 1 1 0 0]
     """
-    if method == "lee" or (method is None and np.ndim(image) == 3):
-        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(np.asarray(image), 'image', True)}; "
+    array = _arrays.as_array("image", image)
+    if method == "lee" or (method is None and array.ndim == 3):
+        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(array, 'image', True)}; "
                                   "use scikit-image's skimage.morphology.skeletonize")
     if method not in (None, "zhang"):
         raise ValueError(f"method: expected None or 'zhang', got {method!r}")
-    picture: Any = _inputs.as_bool(image)
+    picture: Any = _inputs.as_bool(array)
     return _thin(picture, "zhang_suen_skimage", out=picture)
 
 
@@ -145,7 +147,8 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
         return (labels, count) if return_num else labels
     if background is None:
         background = 0
-    _arrays.real("background", background)  # int() reads strings, too
+    if not math.isfinite(_arrays.real("background", background)):  # int() reads strings, too
+        raise ValueError(f"background: expected a finite number, got {background}")
     labels, count = _label_values(picture, int(background), neighbours)
     wide = labels.astype(np.intp)
     return (wide, count) if return_num else wide
@@ -258,6 +261,7 @@ def remove_small_holes(ar: npt.ArrayLike, area_threshold: float = 64, connectivi
     [ True  True  True False False]
     """
     picture = _of_objects(ar, "skimage.morphology.remove_small_holes")
+    _arrays.real("area_threshold", area_threshold)
     background = picture == 0
     result: npt.NDArray[np.bool_] = _arrays.result_for(background, out)
     np.logical_not(remove_small_objects(background, area_threshold, connectivity), out=result)
@@ -326,4 +330,4 @@ def regionprops_table(label_image: npt.ArrayLike, intensity_image: npt.ArrayLike
     intensities = None if intensity_image is None else _inputs.picture_of(intensity_image, "intensity_image", name)
     if intensities is not None and intensities.shape != picture.shape:
         raise ValueError(f"intensity_image: expected shape {picture.shape}, got {intensities.shape}")
-    return _label_tables.measured(picture, intensities, properties, separator, name)
+    return _label_tables.measured(picture, intensities, properties, _arrays.text("separator", separator), name)
