@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import operator
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, TypeVar
 
 import numpy as np
@@ -22,12 +22,20 @@ _BINARY = (_UINT8, _BOOL)
 _pack_image, _IMAGE_SIZE, _address = _library.IMAGE.pack, _library.IMAGE.size, _library.address
 
 
+def as_array(name: str, values: Any, dtype: npt.DTypeLike = None) -> Array:
+    """What NumPy makes of values; not of lists of different lengths."""
+    try:
+        return np.asarray(values, dtype)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name}: expected an array; {error}") from None
+
+
 def unmasked(image: Any, name: str = "image") -> Array:
     """An array, no element of which is masked."""
     masked = np.count_nonzero(image.mask) if isinstance(image, np.ma.MaskedArray) else 0
     if masked:
         raise ValueError(f"{name}: expected no masked elements, got {masked}; `{name}.filled(0)` makes them background")
-    return np.asarray(image)
+    return as_array(name, image)
 
 
 def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool | None = False) -> Array:
@@ -119,11 +127,16 @@ def with_rows(array: Array) -> Array:
     return array
 
 
+def row_stride(array: Array) -> int:
+    """The elements from a row to the next; NumPy gives axes of length 1 and arrays without elements any strides."""
+    width: int = array.shape[-1]
+    return width if array.flags.c_contiguous else array.strides[-2] // array.itemsize
+
+
 def image(array: Array) -> bytes:
     """A thinbench_image struct of rows."""
     height, width = array.shape
-    stride = array.strides[0]
-    return _pack_image(_IMAGE_SIZE, _address(array), width, height, stride if stride > width else width, 0)
+    return _pack_image(_IMAGE_SIZE, _address(array), width, height, row_stride(array), 0)
 
 
 def result_image(result: Array) -> bytes:
@@ -140,17 +153,17 @@ def images(source: Array, result: Array) -> tuple[bytes, bytes]:
 def stacks(source: Array, result: Array) -> tuple[bytes, bytes]:
     """thinbench_stack structs, likewise."""
     count, height, width = source.shape
-    stride = max(source.strides[1], width)
+    stride = row_stride(source)
+    image_stride = height * width if source.flags.c_contiguous else source.strides[0]
     size, pack = _library.STACK.size, _library.STACK.pack
-    return (pack(size, _address(source), count, width, height, stride, max(source.strides[0], height * stride), 0),
+    return (pack(size, _address(source), count, width, height, stride, image_stride, 0),
             pack(size, _address(result), count, width, height, width, height * width, result.dtype.kind == "b"))
 
 
 def numbers(array: Array) -> bytes:
     """A thinbench_labels, thinbench_reals or thinbench_image16 struct of rows."""
     height, width = array.shape
-    return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height,
-                                 max(array.strides[0] // array.itemsize, width))
+    return _library.NUMBERS.pack(_library.NUMBERS.size, _library.address(array), width, height, row_stride(array))
 
 
 def label_rows(image: Array) -> Array:
@@ -171,6 +184,30 @@ def integer(name: str, value: Any) -> int:
     if not -(2**31) <= number < 2**31:
         raise ValueError(f"{name}: expected less than 2**31 in magnitude, got {number}")
     return number
+
+
+def number_below(count: int, name: str, value: Any) -> int:
+    """Such as that of a node."""
+    number = integer(name, value)
+    if not 0 <= number < count:
+        raise ValueError(f"{name}: expected a number from 0 to {count - 1}, got {number}")
+    return number
+
+
+def pixel(name: str, point: Any) -> tuple[int, int]:
+    """The column and row of what has a row and a column."""
+    try:
+        row, column = point
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected a row and a column, got {point!r}") from None
+    return integer(name, column), integer(name, row)
+
+
+def each(name: str, values: Iterable[_Value]) -> Iterator[_Value]:
+    try:
+        return iter(values)
+    except TypeError:
+        raise TypeError(f"{name}: expected a list, got {values!r}") from None
 
 
 def execution(threads: Any) -> bytes | None:
@@ -204,7 +241,7 @@ def spacing(name: str, value: Any) -> tuple[float, float]:
     """The distance of rows and that of columns, from one number or two."""
     if type(value) is int and value == 1:
         return 1.0, 1.0
-    numbers = (value, value) if np.ndim(value) == 0 else tuple(value)
+    numbers = (value, value) if as_array(name, value).ndim == 0 else tuple(value)
     if len(numbers) != 2:
         raise ValueError(f"{name}: expected a number or two, of rows and of columns, got {value!r}")
     rows, columns = (real(name, number) for number in numbers)
@@ -214,11 +251,15 @@ def spacing(name: str, value: Any) -> tuple[float, float]:
     return rows, columns
 
 
-def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
-    """What a name stands for in the C interface."""
+def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {value!r}")
-    found = allowed.get(value)
+    return value
+
+
+def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
+    """What a name stands for, such as in the C interface."""
+    found = allowed.get(text(name, value))
     if found is None:
         raise ValueError(f"{name}: expected one of {', '.join(allowed)}; got {value!r}{meant(value, allowed)}")
     return found

@@ -20,7 +20,7 @@ _NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
 def split_graph(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
     """The graph with a node at each pixel (row, column), instead of the handle."""
     try:
-        places = np.array([_pixel_of(pixel) for pixel in pixels], np.int32)
+        places = np.array([_pixel_of(pixel) for pixel in _arrays.each("nodes", pixels)], np.int32)
         split = ctypes.c_void_p()
         if len(places):
             _library.split_graph(handle, _library.address(places), len(places), ctypes.byref(split))
@@ -34,10 +34,8 @@ def split_graph(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> cty
 
 
 def _pixel_of(pixel: Sequence[int]) -> tuple[int, int]:
-    if len(pixel) != 2:
-        raise ValueError(f"nodes: expected pairs of row and column, got {pixel!r}")
-    row, column = (_arrays.integer("nodes", number) for number in pixel)
-    if not (0 <= row < 2**31 and 0 <= column < 2**31):
+    column, row = _arrays.pixel("nodes", pixel)
+    if row < 0 or column < 0:
         raise ValueError(f"nodes: expected pixels of the skeleton, got row {row}, column {column}")
     return column, row
 

@@ -52,7 +52,7 @@ def midpoint_scan(image: npt.ArrayLike, directions: str | Iterable[str] = tuple(
      [0 0 1 0 0]]
     """
     image = _arrays.binary(image)
-    names = (directions,) if isinstance(directions, str) else directions
+    names = (directions,) if isinstance(directions, str) else _arrays.each("directions", directions)
     bits = 0
     for name in names:
         bits |= _arrays.one_of("directions", name, _DIRECTIONS)

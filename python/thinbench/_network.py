@@ -39,9 +39,6 @@ def cycles(nodes: int, table: Array) -> list[Path]:
 
 def shortest_path(nodes: int, table: Array, first: int, last: int) -> list[Path]:
     """One path, or none."""
-    for number in (first, last):
-        if not 0 <= number < nodes:
-            raise ValueError(f"expected numbers of nodes from 0 to {nodes - 1}, got {number}")
     return _found(_library.shortest_path, nodes, table, first, last)
 
 

@@ -76,8 +76,8 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall"
 
 
 def _struct(image: Packed, width: int, lsb_first: bool) -> bytes:
-    stride = max(image.strides[0], image.shape[1])  # of an array without rows it may be 0
-    return _library.PACKED.pack(_library.PACKED.size, image.ctypes.data, width, image.shape[0], stride, lsb_first)
+    return _library.PACKED.pack(_library.PACKED.size, image.ctypes.data, width, image.shape[0],
+                                _arrays.row_stride(image), lsb_first)
 
 
 def _checked(packed: Any, width: int) -> Packed:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
-from typing import Any
-
 import numpy as np
 import numpy.typing as npt
 
@@ -54,8 +52,8 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     """
     image = _arrays.binary(free, name="free")
     found = np.empty((max(image.size, 1), 2), np.int32)
-    request = _library.PATH_REQUEST.pack(_library.PATH_REQUEST.size, *_pixel("start", start), *_pixel("goal", goal),
-                                         _arrays.real("width", width))
+    request = _library.PATH_REQUEST.pack(_library.PATH_REQUEST.size, *_arrays.pixel("start", start),
+                                         *_arrays.pixel("goal", goal), _arrays.real("width", width))
     result = ctypes.create_string_buffer(_library.FOUND_PATH.pack(_library.FOUND_PATH.size, 0, 0, 0))
     _library.find_path(_arrays.image(image), request, _arrays.execution(threads),
                        found.ctypes.data, len(found), result)
@@ -63,12 +61,3 @@ def find_path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], wi
     if count == 0:
         raise ValueError(f"no path from {tuple(start)} to {tuple(goal)} is {width:g} pixels wide")
     return found[:count, ::-1].copy()
-
-
-def _pixel(name: str, point: Any) -> tuple[int, int]:
-    """Its column and row."""
-    try:
-        row, column = point
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a row and a column, got {point!r}") from None
-    return _arrays.integer(name, column), _arrays.integer(name, row)

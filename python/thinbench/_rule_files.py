@@ -102,7 +102,9 @@ def _rule(root: Any) -> Rule:
     tables = _table({"hensel": root["hensel"]}, where) if "hensel" in root else _sub_iterations(root)
     border = root.get("border", "background")
     _arrays.one_of("border", border, _library.BORDERS)
-    limit = _arrays.limit(root["max_iterations"]) if "max_iterations" in root else None
+    limit = None
+    if "max_iterations" in root:
+        limit = _arrays.limit(_arrays.integer("max_iterations", root["max_iterations"]))  # an integer, not null
     return Rule(tables, border, limit)
 
 

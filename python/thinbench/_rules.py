@@ -14,6 +14,7 @@ import numpy.typing as npt
 from thinbench import _arrays, _library, _rule_files, _tables
 
 _ACTIVATIONS = {"sigmoid": b"sigmoid", "linear": b"linear"}
+_Recipe = Callable[[], int | None]  # picklable
 
 
 class Rule:
@@ -52,22 +53,17 @@ class Rule:
 
     def __init__(self, tables: npt.ArrayLike, *, border: str = "background",
                  max_iterations: int | None = None, optimise: bool = False) -> None:
-        bits = _tables.bits("tables", tables)
-        words = _tables.to_words(bits)
-        defaults = _library.thinning(_arrays.one_of("border", border, _library.BORDERS),
-                                     _arrays.limit(max_iterations))
-        self._own(_library.handle_from(_library.rule_from_tables, words.ctypes.data, len(words),
-                                       defaults, bool(optimise)),
-                  partial(Rule, bits, border=border, max_iterations=max_iterations,
-                          optimise=bool(optimise)))
+        _arrays.one_of("border", border, _library.BORDERS)
+        self._own(partial(_of_tables, _tables.bits("tables", tables), border, _arrays.limit(max_iterations),
+                          bool(optimise)))
 
-    def _own(self, handle: int | None, recipe: Callable[[], Rule]) -> Rule:
-        """Takes a handle of the library; the recipe makes an equal rule in another process."""
-        self._handle = handle
+    def _own(self, recipe: _Recipe) -> Rule:
+        """Makes and takes a handle of the library; the recipe makes that of an equal rule in another process."""
+        self._handle = recipe()
         self._recipe = recipe
         # A thread may still thin when the program ends.
-        weakref.finalize(self, _library.rule_destroy, handle).atexit = False
-        self._info = _library.describe(handle)
+        weakref.finalize(self, _library.rule_destroy, self._handle).atexit = False
+        self._info = _library.describe(self._handle)
         self._tables = _tables.from_words(self._info.words)
         self._tables.flags.writeable = False
         return self
@@ -82,14 +78,7 @@ class Rule:
         >>> thinbench.Rule.named("majority")
         Rule(majority, 1 sub-iteration, border='background', max_iterations=1)
         """
-        try:
-            handle = _library.handle_from(_library.rule_named, _tables.encoded("rule", name))
-        except ValueError as error:
-            known = _library.all_names(_library.rule_name)
-            meant = (_arrays.meant(name, [*known, *(f"thin_{one}" for one in known)])
-                     or "; rules() and named_rules() have the names, Rule.from_hensel takes a notation")
-            raise ValueError(f"{error}{meant}") from None
-        return cls.__new__(cls)._own(handle, partial(Rule.named, name))
+        return cls.__new__(cls)._own(partial(_of_name, _tables.encoded("rule", name)))
 
     @classmethod
     def from_two_layer_net(cls, weights: npt.ArrayLike, activation: str = "sigmoid") -> Rule:
@@ -112,10 +101,8 @@ class Rule:
         >>> bool(thinbench.thin(np.ones((3, 5), bool), net).any())
         False
         """
-        neurons = _weights(weights, 9)
-        handle = _library.handle_from(_library.rule_from_two_layer_net, neurons.ctypes.data,
-                                      _arrays.one_of("activation", activation, _ACTIVATIONS))
-        return cls.__new__(cls)._own(handle, partial(Rule.from_two_layer_net, neurons, activation))
+        return cls.__new__(cls)._own(partial(_of_two_layer_net, _weights(weights, 9),
+                                             _arrays.one_of("activation", activation, _ACTIVATIONS)))
 
     @classmethod
     def from_cluster(cls, last: npt.ArrayLike, weights: npt.ArrayLike) -> Rule:
@@ -135,15 +122,12 @@ class Rule:
         >>> bool(keep.tables[0, 16])
         True
         """
-        array = np.atleast_1d(last)
+        array = np.atleast_1d(_arrays.as_array("last", last))
         if array.ndim != 1 or array.size == 0:
             raise ValueError("last: expected shape (nets,) with at least one net, and weights of shape (nets, 9); "
                              f"got {array.shape}")
         ends = np.array([_arrays.integer("last", end) for end in array], np.int32)
-        nets = _weights(weights, len(ends))
-        handle = _library.handle_from(_library.rule_from_cluster, ends.ctypes.data,
-                                      nets.ctypes.data, len(ends))
-        return cls.__new__(cls)._own(handle, partial(Rule.from_cluster, ends, nets))
+        return cls.__new__(cls)._own(partial(_of_cluster, ends, _weights(weights, len(ends))))
 
     @classmethod
     def from_hensel(cls, notation: str, *, border: str = "background",
@@ -325,7 +309,7 @@ class Rule:
         return hash(self._key())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return self._recipe, ()
+        return _copied, (type(self), self._recipe), getattr(self, "__dict__", None)
 
     def __repr__(self) -> str:
         count = len(self._tables)
@@ -334,8 +318,36 @@ class Rule:
                 f"max_iterations={self.max_iterations})")
 
 
+def _copied(kind: type[Rule], recipe: _Recipe) -> Rule:
+    return kind.__new__(kind)._own(recipe)
+
+
+def _of_tables(tables: _tables.Tables, border: str, max_iterations: int, optimise: bool) -> int | None:
+    words = _tables.to_words(tables)
+    return _library.handle_from(_library.rule_from_tables, words.ctypes.data, len(words),
+                                _library.thinning(_library.BORDERS[border], max_iterations), optimise)
+
+
+def _of_name(name: bytes) -> int | None:
+    try:
+        return _library.handle_from(_library.rule_named, name)
+    except ValueError as error:
+        known = _library.all_names(_library.rule_name)
+        meant = (_arrays.meant(name.decode(), [*known, *(f"thin_{one}" for one in known)])
+                 or "; rules() and named_rules() have the names, Rule.from_hensel takes a notation")
+        raise ValueError(f"{error}{meant}") from None
+
+
+def _of_two_layer_net(neurons: npt.NDArray[np.float32], activation: bytes) -> int | None:
+    return _library.handle_from(_library.rule_from_two_layer_net, neurons.ctypes.data, activation)
+
+
+def _of_cluster(ends: npt.NDArray[np.int32], nets: npt.NDArray[np.float32]) -> int | None:
+    return _library.handle_from(_library.rule_from_cluster, ends.ctypes.data, nets.ctypes.data, len(ends))
+
+
 def _weights(weights: npt.ArrayLike, neurons: int) -> npt.NDArray[np.float32]:
-    array = np.asarray(weights)
+    array = _arrays.as_array("weights", weights)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"weights: expected numbers, got dtype {array.dtype}")
     if array.shape != (neurons, 9):

@@ -25,9 +25,6 @@ class Groups(NamedTuple):
     bounds: Array
 
     def of(self, i: int) -> Array:
-        if not -len(self.bounds) < i < len(self.bounds) - 1:
-            raise IndexError(f"expected a number below {len(self.bounds) - 1}, got {i}")
-        i %= len(self.bounds) - 1
         return self.values[self.bounds[i]:self.bounds[i + 1]]
 
     def lengths(self) -> Array:
@@ -144,11 +141,14 @@ class Graph:
 
     def node_pixels(self, node: int) -> Array:
         """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
-        return self._nodes.of(node)
+        return self._nodes.of(self._node("node", node))
 
     def edge_points(self, edge: int) -> Array:
         """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
-        return self._chains.of(edge)
+        return self._chains.of(_arrays.number_below(len(self.edges["from"]), "edge", edge))
+
+    def _node(self, name: str, number: Any) -> int:
+        return _arrays.number_below(len(self.nodes["kind"]), name, number)
 
     def edge_widths(self, edge: int) -> Array:
         """The width at each of `edge_points(edge)`. The graph must know its image."""
@@ -181,20 +181,23 @@ class Graph:
         labels[tuple(self._nodes.values.T)] = np.repeat(of_nodes, self._nodes.lengths())
         return labels
 
-    def polylines(self, tolerance: float = 1) -> list[Array]:
+    def polylines(self, tolerance: float | None = None) -> list[Array]:
         """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
-        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2)."""
-        return [self._polyline(self.edge_points(i), tolerance) for i in range(len(self.edges["from"]))]
+        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2).
+
+        The tolerance is in the unit of the spacing; by default it is the larger side of a pixel."""
+        most = max(self.spacing) if tolerance is None else _arrays.real("tolerance", tolerance)
+        return [self._polyline(self.edge_points(i), most) for i in range(len(self.edges["from"]))]
 
     def _polyline(self, chain: Array, tolerance: float) -> Array:
         points = np.ascontiguousarray(chain[:, ::-1], np.int32)
         kept = np.empty(chain.shape, np.int32)
         count = ctypes.c_size_t()
-        _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance),
-                          _library.spacing(*self.spacing), kept.ctypes.data, ctypes.byref(count))
+        _library.polyline(points.ctypes.data, len(points), tolerance, _library.spacing(*self.spacing),
+                          kept.ctypes.data, ctypes.byref(count))
         return kept[:count.value, ::-1].copy()
 
-    def smoothed_lengths(self, tolerance: float = 1) -> Array:
+    def smoothed_lengths(self, tolerance: float | None = None) -> Array:
         """The length of each of `polylines(tolerance)`, which is less than that of the steps where a line runs
         between the directions of rows, columns and diagonals."""
         return self._lengths(self.polylines(tolerance))
@@ -231,8 +234,8 @@ class Graph:
 
     def shortest_path(self, from_node: int, to_node: int) -> GraphPath:
         """Between two nodes; its points are those along the way. ValueError if there is none."""
-        found = _network.shortest_path(*self._links(), _arrays.integer("from_node", from_node),
-                                       _arrays.integer("to_node", to_node))
+        found = _network.shortest_path(*self._links(), self._node("from_node", from_node),
+                                       self._node("to_node", to_node))
         if not found:
             raise ValueError(f"no path leads from node {from_node} to node {to_node}")
         return self._path(*found[0])
@@ -243,7 +246,7 @@ class Graph:
         Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges and the
         last: it leads back to the first node. The points end with the first one.
         """
-        return [self._path(*path) for path in _network.cycles(*self._links())]
+        return [_closed(self._path(*path)) for path in _network.cycles(*self._links())]
 
     def open_cycles(self, max_length: float = math.inf) -> Graph:
         """The graph without the closing edges of `cycles()` that are at most so long: without their
@@ -272,19 +275,17 @@ class Graph:
         point = _arrays.real("row", row), _arrays.real("column", column)
         if not all(map(math.isfinite, point)):
             raise ValueError(f"nearest: expected a finite point, got {point[0]:g}, {point[1]:g}")
-        away = (self._chains.values - point) * self.spacing
-        squares = (away ** 2).sum(axis=1)
-        at = int(squares.argmin())
+        with np.errstate(over="ignore"):  # beyond all numbers is infinity
+            distances = np.hypot(*((self._chains.values - point) * self.spacing).T)
+        at = int(distances.argmin())
         edge = int(np.searchsorted(self._chains.bounds, at, side="right")) - 1
         place = self._chains.values[at]
-        return GraphPlace(edge, int(place[0]), int(place[1]), float(np.sqrt(squares[at])))
+        return GraphPlace(edge, int(place[0]), int(place[1]), float(distances[at]))
 
     def parents(self, root: int) -> Array:
         """For each node the next one on the way to node `root`, as in SWC files; -1 for the root itself and in
         other components. ValueError if the component has cycles, of which `open_cycles()` has none."""
-        number, count = _arrays.integer("root", root), len(self.nodes["kind"])
-        if not 0 <= number < count:
-            raise ValueError(f"root: expected the number of a node from 0 to {count - 1}, got {number}")
+        number, count = self._node("root", root), len(self.nodes["kind"])
         is_in = self.nodes["component"] == self.nodes["component"][number]
         cycles = int(is_in[self.edges["from"]].sum() - is_in.sum()) + 1
         if cycles > 0:
@@ -303,7 +304,8 @@ class Graph:
             to_visit += children.tolist()
         return parents
 
-    def summary(self, separator: str = "-", *, image: npt.ArrayLike | None = None, tolerance: float = 1) -> Columns:
+    def summary(self, separator: str = "-", *, image: npt.ArrayLike | None = None,
+                tolerance: float | None = None) -> Columns:
         """A table of the edges with the column names of skan's `summarize`, as a dict of arrays.
 
         "branch-type" is 0 between ends, 1 between an end and a junction, 2 between junctions, 3 for a
@@ -319,7 +321,8 @@ class Graph:
         table["branch-distance"] = edges["length"].copy()
         table["branch-type"] = self._branch_types()
         if image is not None:
-            table["mean-pixel-value"], table["stdev-pixel-value"] = self._means_and_deviations(np.asarray(image, float))
+            table["mean-pixel-value"], table["stdev-pixel-value"] = self._means_and_deviations(
+                _arrays.as_array("image", image, float))
         places = {side: self._chains.values[at] for side, _, at in sides}
         for prefix, unit in (("image-coord", (1, 1)), ("coord", self.spacing)):
             for side, pixels in places.items():
@@ -329,7 +332,7 @@ class Graph:
             table["tortuosity"] = np.where(edges["chord"] > 0, edges["length"] / edges["chord"], np.nan)
         table["smoothed-length"] = self.smoothed_lengths(tolerance)
         table.update({name: edges[name].copy() for name in edges if name.startswith("width-") or name == "label"})
-        return {name.replace("-", separator): column for name, column in table.items()}
+        return {name.replace("-", _arrays.text("separator", separator)): column for name, column in table.items()}
 
     def _means_and_deviations(self, image: Array) -> tuple[Array, Array]:
         """Of its values along each edge."""
@@ -346,12 +349,14 @@ class Graph:
         ends = (first == "end").astype(int) + (last == "end")
         return np.where(first == "cycle", 3, 2 - ends)
 
-    def to_geojson(self, tolerance: float = 1, transform: Sequence[float] | None = None) -> dict[str, Any]:
+    def to_geojson(self, tolerance: float | None = None, transform: Sequence[float] | None = None) -> dict[str, Any]:
         """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
 
+        The lines are `polylines(tolerance)`.
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f, by default that of the
-        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5. Ids count
-        from 1. A width without background is None.
+        spacing, which is written x first. The centre of the first pixel is at x = 0.5, y = 0.5.
+        Ids count from 1: those of features go on from the nodes to the edges, those in properties do not.
+        A width without background is None.
         """
         spaced = (self.spacing[1], 0, 0, 0, self.spacing[0], 0)
         a, b, c, d, e, f = _finite("transform", spaced if transform is None else transform)
@@ -360,16 +365,18 @@ class Graph:
             x, y = float(column) + 0.5, float(row) + 0.5
             return _finite("transform", [a * x + b * y + c, d * x + e * y + f], 2)
 
-        def feature(kind: str, coordinates: Any, properties: dict[str, Any]) -> dict[str, Any]:
-            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties}
-
         nodes, edges = self.nodes, self.edges
         widths = {name: name.replace("-", "_") for name in edges if name.startswith("width-")}
-        features = []
+        features: list[dict[str, Any]] = []
+
+        def add(kind: str, coordinates: Any, properties: dict[str, Any]) -> None:
+            features.append({"type": "Feature", "id": len(features) + 1,
+                             "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties})
+
         for i in range(len(nodes["kind"])):
             properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i]),
                           **_label(nodes, i)}
-            features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
+            add("Point", position(nodes["row"][i], nodes["column"][i]), properties)
         lines = self.polylines(tolerance)
         smoothed_lengths = self._lengths(lines)
         for i, line in enumerate(lines):
@@ -380,7 +387,7 @@ class Graph:
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
             properties |= _label(edges, i)
-            features.append(feature("LineString", [position(*point) for point in line], properties))
+            add("LineString", [position(*point) for point in line], properties)
         return {"type": "FeatureCollection", "spacing": list(self.spacing[::-1]), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
@@ -403,13 +410,14 @@ class Graph:
         from scipy import sparse  # type: ignore[import]
 
         ends = np.sort(np.stack([self.edges["from"], self.edges["to"]]), axis=0)
-        order = np.lexsort((self.edges[weight], ends[1], ends[0]))
+        column = _arrays.one_of("weight", weight, self.edges)
+        order = np.lexsort((column, ends[1], ends[0]))
         order = order[ends[0, order] != ends[1, order]]
         first = np.ones(len(order), bool)
         first[1:] = (np.diff(ends[:, order]) != 0).any(axis=0)
         order = order[first]
         one, other = ends[:, order].astype(np.int64)
-        weights = np.tile(self.edges[weight][order], 2)
+        weights = np.tile(column[order], 2)
         places = np.concatenate([one, other]), np.concatenate([other, one])
         count = len(self.nodes["kind"])
         return sparse.coo_matrix((weights, places), (count, count)).tocsr()
@@ -473,9 +481,15 @@ def counted(nodes: Columns, edges: Columns, spacing: tuple[float, float], shape:
     return Graph(nodes, edges, spacing, shape, node_pixels, chains, table, distances)
 
 
+def _closed(cycle: GraphPath) -> GraphPath:
+    """With the first point at its end, also where it leaves a node by another pixel than it enters it."""
+    points = cycle.points
+    return cycle if (points[0] == points[-1]).all() else cycle._replace(points=np.concatenate([points, points[:1]]))
+
+
 def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
     """Numbers of edges, which are given as such or by a bool for each."""
-    chosen = np.asarray(edges)
+    chosen = _arrays.as_array("edges", edges)
     if chosen.dtype == bool and chosen.shape != (count,):
         raise ValueError(f"edges: expected bools of shape ({count},), got {chosen.shape}")
     if chosen.ndim != 1:
@@ -494,7 +508,7 @@ def _label(columns: Columns, i: int) -> dict[str, int]:
 
 
 def _finite(name: str, numbers: Sequence[float], count: int = 6) -> list[float]:
-    found = [_arrays.real(name, number) for number in numbers]
+    found = [_arrays.real(name, number) for number in _arrays.each(name, numbers)]
     for number in found:
         if not math.isfinite(number):
             raise ValueError(f"{name}: expected finite numbers, got {number}")

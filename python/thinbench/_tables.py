@@ -21,7 +21,7 @@ NEIGHBOUR_ORDERS = {"descriptor": b"descriptor", "clockwise": b"clockwise", "ras
 
 def bits(name: str, values: Any, width: int = WINDOWS) -> Tables:
     """Values 0 and 1 of shape (width,) or (sub-iterations, width), with two dimensions."""
-    array = np.asarray(values)
+    array = _arrays.as_array(name, values)
     if array.dtype != bool and not np.issubdtype(array.dtype, np.integer):
         raise TypeError(f"{name}: expected dtype bool or integer, got {array.dtype}")
     if array.ndim not in (1, 2) or array.shape[-1] != width:
@@ -30,7 +30,7 @@ def bits(name: str, values: Any, width: int = WINDOWS) -> Tables:
     others = array[(array != 0) & (array != 1)]
     if others.size:
         raise ValueError(f"{name}: expected values 0 and 1, got {others[0]}")
-    tables: Tables = array.reshape(-1, width).astype(bool)
+    tables: Tables = array.reshape(-1, width).astype(bool, order="C")
     return tables
 
 
@@ -55,11 +55,10 @@ def _made(function: Callable[..., None], *arguments: Any) -> Tables:
 
 def encoded(name: str, text: Any) -> bytes:
     """The text as the C interface takes it."""
-    if not isinstance(text, str):
-        raise TypeError(f"{name}: expected a string, got {text!r}")
-    if "\0" in text:
-        raise ValueError(f"{name}: expected no null character, got {text!r}")
-    return text.encode()
+    notation = _arrays.text(name, text)
+    if "\0" in notation:
+        raise ValueError(f"{name}: expected no null character, got {notation!r}")
+    return notation.encode()
 
 
 def from_hensel(notation: str) -> Tables:
@@ -69,7 +68,7 @@ def from_hensel(notation: str) -> Tables:
 def from_patterns(patterns: Iterable[str]) -> Tables:
     if isinstance(patterns, str):
         raise TypeError(f"patterns: expected a list of strings, got {patterns!r}")
-    lines = [encoded("patterns", pattern) for pattern in patterns]
+    lines = [encoded("patterns", pattern) for pattern in _arrays.each("patterns", patterns)]
     array = (ctypes.c_char_p * len(lines))(*lines)
     return _made(_library.table_from_patterns, array, len(lines))
 
@@ -90,6 +89,8 @@ def _each(function: Callable[..., None], tables: Tables, order: bytes) -> Tables
 
 
 def from_function(next_value: Callable[[Tables], Any]) -> Tables:
+    if not callable(next_value):
+        raise TypeError(f"next_value: expected a function, got {next_value!r}")
     windows = np.arange(WINDOWS)[:, None] >> np.arange(9) & 1
     return np.array([[_bit(next_value(window)) for window in windows.astype(bool).reshape(-1, 3, 3)]])
 

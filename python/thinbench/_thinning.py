@@ -160,7 +160,7 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
     >>> [(skeleton.shape, int(skeleton.sum())) for skeleton in skeletons]
     [((3, 9), 7), ((5, 5), 1)]
     """
-    arrays = [_arrays.binary(image, name=f"images[{i}]") for i, image in enumerate(images)]
+    arrays = [_arrays.binary(image, name=f"images[{i}]") for i, image in enumerate(_arrays.each("images", images))]
     if len({(array.shape, array.dtype) for array in arrays}) == 1:
         stack = np.array(arrays)
         thin(stack, rule, border=border, max_iterations=max_iterations, threads=threads, out=stack, stack=True)

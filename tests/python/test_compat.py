@@ -225,6 +225,22 @@ def test_a_background_beyond_int32_is_one_as_any_other(background):
     assert_same(SKIMAGE.label(image, background=background), measure.label(image, background=background))
 
 
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize(("function", "image", "arguments"), [
+    ("remove_small_holes", np.array([[-1, 0, -1, 0, 0]]), [2]), ("remove_small_holes", np.array([[-128, 0]], "i1"), []),
+    ("remove_small_objects", np.array([[-1, 0, 3]]), [0]), ("remove_small_objects", np.array([[5, 0, 3]], "u8"), [0]),
+    ("remove_small_objects", np.array([[1, 2, 2]]), [float("nan")]),
+    *(("remove_small_" + name, np.eye(3, dtype=bool), [2, connectivity]) for name in ("objects", "holes")
+      for connectivity in (1.0, 2.0, np.int8(2)))])
+def test_small_regions_are_removed_as_by_scikit_image_from_odd_arguments(function, image, arguments):
+    assert_same(getattr(SKIMAGE, function)(image, *arguments), getattr(morphology, function)(image, *arguments))
+
+
+def test_small_objects_of_uint64_are_removed_where_scikit_image_fails():
+    image = np.array([[2**64 - 1, 2**64 - 1, 7, 0]], np.uint64)
+    assert_same(SKIMAGE.remove_small_objects(image, 2), np.array([[2**64 - 1, 2**64 - 1, 0, 0]], np.uint64))
+
+
 def test_a_table_of_no_labels_is_empty_where_scikit_image_fails():
     assert not any(map(len, SKIMAGE.regionprops_table(np.zeros((0, 3), int)).values()))
 

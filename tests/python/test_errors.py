@@ -181,6 +181,8 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule.from_hensel(3), TypeError, "3"),
     (lambda: Rule.from_patterns("4:(... .1. .0.)->0"), TypeError, "list of strings"),
     (lambda: Rule.from_patterns([3]), TypeError, "3"),
+    (lambda: Rule.from_patterns(5), TypeError, "patterns: expected a list, got 5"),
+    (lambda: Rule.from_function(5), TypeError, "next_value: expected a function, got 5"),
     (lambda: Rule.from_patterns(["4:(...)->1"]), ValueError, "pattern 1"),
     (lambda: Rule.from_values(TABLE, "raster"), ValueError, "'raster'"),
     (lambda: Rule.from_values(TABLE[:256]), ValueError, "(256,)"),
@@ -243,7 +245,23 @@ def test_masked_elements_are_rejected(function):
      "main_path: expected a graph with nodes, got none"),
     (lambda: GRAPH.edge_widths(0), ValueError, "edge_widths: expected a skeleton_graph(skeleton, image)"),
     (lambda: GRAPH.subgraph(np.array([True] * 2)), ValueError, "edges: expected bools of shape (1,), got (2,)"),
-    (lambda: GRAPH.shortest_path(0, 2), ValueError, "expected numbers of nodes from 0 to 1, got 2"),
+    (lambda: GRAPH.shortest_path(0, 2), ValueError, "to_node: expected a number from 0 to 1, got 2"),
+    (lambda: GRAPH.shortest_path(-1, 0), ValueError, "from_node: expected a number from 0 to 1, got -1"),
+    (lambda: GRAPH.parents(2), ValueError, "root: expected a number from 0 to 1, got 2"),
+    (lambda: GRAPH.node_pixels(2), ValueError, "node: expected a number from 0 to 1, got 2"),
+    (lambda: GRAPH.edge_points(-1), ValueError, "edge: expected a number from 0 to 0, got -1"),
+    (lambda: GRAPH.edge_points(0.0), TypeError, "edge: expected an integer, got 0.0"),
+    (lambda: thinbench.skeleton_graph(LINE, LINE).edge_widths("0"), TypeError, "edge: expected an integer, got '0'"),
+    (lambda: GRAPH.to_geojson(transform=5), TypeError, "transform: expected a list, got 5"),
+    (lambda: GRAPH.to_csgraph("colour"), ValueError, "weight: expected one of from, to, length, chord; got 'colour'"),
+    (lambda: GRAPH.summary(5), TypeError, "separator: expected a string, got 5"),
+    (lambda: GRAPH.summary(image="x"), ValueError, "image: expected an array; "),
+    (lambda: thinbench.skeleton_graph(LINE, nodes=5), TypeError, "nodes: expected a list, got 5"),
+    (lambda: thinbench.skeleton_graph(LINE, nodes=(0, 2)), TypeError, "nodes: expected a row and a column, got 0"),
+    (lambda: thinbench.skeleton_graph(LINE, nodes=[(0, 1, 2)]), TypeError,
+     "nodes: expected a row and a column, got (0, 1, 2)"),
+    (lambda: thinbench.thin_many(5), TypeError, "images: expected a list, got 5"),
+    (lambda: thinbench.midpoint_scan(IMAGE, 5), TypeError, "directions: expected a list, got 5"),
     (lambda: thinbench.skeleton_graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError,
      "from node 0 to node 2"),
     (lambda: GRAPH.to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0)), ValueError, "transform: expected finite"),
@@ -299,6 +317,26 @@ def test_values(call, error, said):
     assert_rejected(error, said, call)
 
 
+@pytest.mark.parametrize(("name", "call"), [
+    *(("image", function) for function in (*ONE_IMAGE[:9], *ONE_IMAGE[11:], thinbench.thin, thinbench.detect_edges,
+                                           thinbench.binarise, thinbench.label_values, SKIMAGE.thin)),
+    ("images", lambda rows: thinbench.thin_many([rows])), ("labels", thinbench.thin_labels),
+    ("packed", lambda rows: thinbench.thin_packed(rows, 5)), ("skeleton", thinbench.skeleton_graph),
+    ("skeletons", thinbench.graph_of_labels), ("labels", lambda rows: thinbench.graph_of_labels(LABELS, rows)),
+    ("free", lambda rows: thinbench.find_path(rows, (0, 0), (0, 0))),
+    ("spacing", lambda rows: thinbench.distances(IMAGE, spacing=rows)), ("tables", Rule), ("lut", Rule.from_values),
+    ("removed", Rule.from_removals), ("weights", Rule.from_two_layer_net),
+    ("last", lambda rows: Rule.from_cluster(rows, [[1] * 9])), ("weights", lambda rows: Rule.from_cluster([255], rows)),
+    ("edges", GRAPH.subgraph), ("image", lambda rows: GRAPH.summary(image=rows)), ("src", CV2.thinning),
+    ("image", SKIMAGE.skeletonize), ("image", CV2.connectedComponents), ("label_image", SKIMAGE.label), ("ar", SKIMAGE.remove_small_objects),
+    ("intensity_image", lambda rows: SKIMAGE.regionprops_table(LABELS, rows)), ("input", SCIPY.label),
+    ("structure", lambda rows: SCIPY.label(IMAGE, rows)), ("structure", lambda rows: SCIPY.binary_fill_holes(IMAGE, rows)),
+    ("sampling", lambda rows: SCIPY.distance_transform_edt(IMAGE, rows))])
+def test_lists_that_are_no_arrays(name, call):
+    with pytest.raises(ValueError, match=rf"^{name}\b[^\n]*: expected an array; "):
+        call([[1, 0], [1]])
+
+
 ONE = np.ones((3, 3), np.uint8)
 CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
 
@@ -312,6 +350,10 @@ CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
     (CV2.thinning, [ONE.astype(float)], {}, TypeError, "float64"),
     (CV2.thinning, [ONE, np.zeros((3, 4), np.uint8)], {}, ValueError, "(3, 4)"),
     (CV2.connectedComponents, [ONE], {"connectivity": 6}, ValueError, "6"),
+    *((function, [ONE], {"connectivity": 8.0}, TypeError, "connectivity: expected an integer, got 8.0")
+      for function in (CV2.connectedComponents, CV2.connectedComponentsWithStats)),
+    (CV2.connectedComponentsWithAlgorithm, [ONE, 8, [], 0], {}, TypeError, "ltype: expected an integer, got []"),
+    (CV2.distanceTransform, [ONE, np.ones(2), 0], {}, TypeError, "distanceType: expected an integer"),
     (CV2.connectedComponents, [ONE], {"ltype": 3}, ValueError, "3"),
     (CV2.connectedComponents, [ONE, np.empty((3, 3))], {}, ValueError, "float64"),
     (CV2.connectedComponents, [ONE > 0], {}, TypeError, "bool"),
@@ -330,6 +372,8 @@ CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
     (SKIMAGE.thin, [ONE.astype("M8[s]")], {}, TypeError, "datetime64"),
     (SKIMAGE.label, [ONE], {"connectivity": 3}, ValueError, "3"),
     (SKIMAGE.label, [ONE], {"background": "2"}, TypeError, "'2'"),
+    (SKIMAGE.label, [ONE], {"background": np.inf}, ValueError, "background: expected a finite number, got inf"),
+    (SKIMAGE.regionprops_table, [ONE], {"separator": 5}, TypeError, "separator: expected a string, got 5"),
     (SKIMAGE.label, [ONE[0]], {}, NotImplementedError, "skimage.measure.label"),
     (SKIMAGE.regionprops_table, [ONE], {"properties": ("label", "solidity")}, NotImplementedError,
      "'solidity'; use skimage.measure.regionprops_table"),
@@ -341,6 +385,7 @@ CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
     (SKIMAGE.remove_small_objects, [ONE / 2], {}, TypeError, "float64"),
     (SKIMAGE.remove_small_objects, [np.array([[-5]])], {}, ValueError, "-5"),
     (SKIMAGE.remove_small_holes, [ONE[0]], {}, NotImplementedError, "skimage.morphology.remove_small_holes"),
+    (SKIMAGE.remove_small_holes, [ONE, "2"], {}, TypeError, "area_threshold: expected a number, got '2'"),
     (SKIMAGE.remove_small_holes, [ONE], {"out": ONE}, ValueError, "expected bool"),
     (SKIMAGE.regionprops_table, [ONE > 0], {}, TypeError, "bool"),
     (SCIPY.label, [np.ones((3, 3, 3))], {}, NotImplementedError, "scipy.ndimage.label"),
@@ -356,9 +401,10 @@ CHECKERS = np.indices((600, 600)).sum(axis=0).astype(np.uint8) % 2
     (SCIPY.distance_transform_edt, [ONE, 2], {"return_indices": True}, NotImplementedError, "scipy"),
     (SCIPY.distance_transform_edt, [ONE], {"return_indices": True, "indices": ONE}, RuntimeError, "(2, 3, 3)"),
     (SCIPY.distance_transform_edt, [ONE, (1, 2, 3)], {}, RuntimeError, "(1, 2, 3)"),
-    (SCIPY.distance_transform_edt, [ONE], {"sampling": -2}, ValueError, "spacing"),
+    (SCIPY.distance_transform_edt, [ONE], {"sampling": -2}, ValueError, "sampling: expected numbers"),
     (SCIPY.distance_transform_edt, [ONE], {"return_distances": False}, RuntimeError, "False"),
     (SCIPY.distance_transform_edt, [ONE], {"distances": ONE}, RuntimeError, "uint8"),
+    (SCIPY.distance_transform_edt, [ONE], {"distances": 5}, TypeError, "distances: expected an array, got int"),
 ])
 def test_what_compat_does_not_support(function, arguments, options, error, said):
     """The message names the function of the other project where that can do it."""

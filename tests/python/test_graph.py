@@ -103,6 +103,18 @@ def test_polylines_keep_what_is_farther_than_the_tolerance():
     assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
 
 
+@pytest.mark.parametrize("spacing", [1, 0.006, 30, (0.5, 0.006), (0.5, 30)])
+def test_the_default_tolerance_is_the_larger_side_of_a_pixel(spacing):
+    graph = thinbench.skeleton_graph(thinbench.thin(random_image(6, 100)), spacing=spacing, not_thin="ignore")
+    expected = [line.tolist() for line in graph.polylines(max(graph.spacing))]
+    assert expected not in ([line.tolist() for line in graph.polylines(value)] for value in (0, 1e9))
+    assert [line.tolist() for line in graph.polylines()] == expected
+    lengths = graph.smoothed_lengths(max(graph.spacing)).tolist()
+    assert graph.smoothed_lengths().tolist() == graph.summary()["smoothed-length"].tolist() == lengths
+    assert graph.to_geojson() == graph.to_geojson(max(graph.spacing))
+    assert [f["properties"]["smoothed_length"] for f in graph.to_geojson()["features"][-len(lengths):]] == lengths
+
+
 def test_a_ring_with_tails_has_parallel_edges():
     graph = thinbench.skeleton_graph(RING_WITH_TAILS)
     assert list(graph.nodes["kind"]) == ["end", "junction", "junction", "end"]
@@ -132,9 +144,18 @@ def test_geojson_has_transformed_points_and_lines():
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
+    assert [list(feature) for feature in found["features"]] == [["type", "id", "geometry", "properties"]] * 8
+    assert [feature["id"] for feature in found["features"]] == [1, 2, 3, 4, 5, 6, 7, 8]
     assert points[1]["properties"] == {"id": 2, "kind": "junction", "degree": 3}
     assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2,
                                       "smoothed_length": 2, "chord": 2, "kind": "edge"}
+
+
+def test_a_line_of_geojson_has_two_positions_also_where_it_is_one_pixel():
+    graph = thinbench.skeleton_graph(np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool).repeat(2, 0).repeat(2, 1),
+                                     not_thin="ignore")
+    assert graph.edges["length"].tolist() == [0]
+    assert graph.to_geojson()["features"][1]["geometry"]["coordinates"] == [[0.5, 0.5], [0.5, 0.5]]
 
 
 def test_blocks_of_an_image_that_is_not_thin_are_reported():
@@ -248,7 +269,7 @@ def test_parents_lead_to_the_root_of_a_tree():
     graph = thinbench.skeleton_graph(np.vstack([TREE, np.zeros_like(TREE[:1]), TREE[:1]]))
     assert graph.parents(3)[:4].tolist() == [2, 2, 3, -1]
     assert graph.parents(0).tolist() == [-1, 2, 0, 2, -1, -1]
-    with pytest.raises(ValueError, match="root: expected the number of a node from 0 to 5, got 6"):
+    with pytest.raises(ValueError, match="root: expected a number from 0 to 5, got 6"):
         graph.parents(6)
     eight = thinbench.skeleton_graph(EIGHT)
     with pytest.raises(ValueError, match="root: expected a node of a tree, got 1 in a component with 2 cycles"):
@@ -275,6 +296,13 @@ def test_cycles_close_by_their_longest_edge():
     for cycle in cycles:
         assert graph.edges["length"][cycle.edges[-1]] == graph.edges["length"][cycle.edges].max()
         assert cycle.points[0].tolist() == cycle.points[-1].tolist()
+
+
+def test_points_of_a_cycle_end_with_the_first_where_it_meets_a_junction_in_two_pixels():
+    graph = thinbench.skeleton_graph(drawn("...####", "...#..#", "..##..#", "#######", "...#..."), not_thin="ignore")
+    cycle, = graph.cycles()
+    assert cycle.points[[0, -2, -1]].tolist() == [[2, 3], [3, 3], [2, 3]]
+    assert cycle.length == 11 and len(cycle.points) == 13  # 11 steps, and one within the junction
 
 
 def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
@@ -325,6 +353,14 @@ def test_given_pixels_are_nodes_that_split_their_edges():
 def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():
     assert thinbench.skeleton_graph(TREE).nearest(4, 6) == (2, 4, 5, 1.0)
     assert thinbench.skeleton_graph(TREE, spacing=(1, 3)).nearest(4, 6)[1:] == (2, 6, 2.0)
+
+
+@pytest.mark.filterwarnings("error")
+def test_the_distance_of_a_far_point_is_a_number_as_long_as_there_is_one():
+    graph = thinbench.skeleton_graph(TREE)
+    assert graph.nearest(3e200, -4e200).distance == pytest.approx(5e200, rel=1e-15)
+    assert graph.nearest(1e300, 0).distance == 1e300
+    assert thinbench.skeleton_graph(TREE, spacing=1e30).nearest(1e300, 0).distance == np.inf
 
 
 def by_a_loop(skeletons, labels):

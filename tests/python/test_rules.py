@@ -38,6 +38,12 @@ def test_tables_are_bits_of_any_type_and_read_only(kind):
         rule.border = "keep"
 
 
+def test_tables_may_have_any_strides():
+    tables = np.random.RandomState(1).rand(4, 512) < 0.5
+    for view in (np.asfortranarray(tables), tables[::-2, ::-1], np.asfortranarray(tables)[:1]):
+        np.testing.assert_array_equal(Rule(view, max_iterations=1).tables, view)
+
+
 @pytest.mark.parametrize(("rule", "table"), [
     (Rule.from_hensel("B/S012345678"), CENTRE), (Rule.from_patterns(["1:(..1 .0. ...)->1"]), CENTRE | PIXELS[2]),
     *((Rule.from_removals(np.arange(256) >> 3 & 1, order), CENTRE & ~PIXELS[pixel])
@@ -93,6 +99,27 @@ def test_rules_are_values():
     assert repr(rule) == "Rule(custom, 1 sub-iteration, border='keep', max_iterations=4)"
 
 
+class Named(Rule):
+    """With an attribute and with other parameters than a rule's."""
+
+    def __init__(self, label: str) -> None:
+        super().__init__(CENTRE, max_iterations=3)
+        self.label = label
+
+
+class Plain(Rule):
+    """Without anything of its own."""
+
+
+@pytest.mark.parametrize("rule", [
+    Named("a"), Plain(CENTRE, border="keep"), Plain.named("majority"), Plain.from_hensel("B3/S23", max_iterations=1),
+    Plain.from_two_layer_net(np.ones((9, 9))), Plain.from_cluster([255], np.ones((1, 9)))], ids=repr)
+def test_copies_of_a_subclass_are_of_it(rule):
+    for same in (pickle.loads(pickle.dumps(rule)), copy.copy(rule), copy.deepcopy(rule)):
+        assert type(same) is type(rule) and same == rule and same.name == rule.name
+        assert getattr(same, "label", None) == getattr(rule, "label", None)
+
+
 # Files.
 
 def written(directory: Path, content: object) -> Path:
@@ -139,8 +166,9 @@ LIFE = '"hensel": "B3/S23", "max_iterations": 1'
     (f'{{{LIFE}, "colour": 1}}', 'unknown key "colour"'),
     (f'{{{LIFE}, "border": "wrap"}}', "border: .* 'wrap'"),
     (f'{{{LIFE}, "name": "a\\nb"}}', "name must have"),
-    ('{"hensel": "B/S", "max_iterations": 0}', "at least 1, got 0"),
+    ('{"hensel": "B/S", "max_iterations": 0}', "rule.json: max_iterations: expected at least 1, got 0"),
     ('{"hensel": "B/S", "max_iterations": true}', "expected an integer"),
+    ('{"hensel": "B/S", "max_iterations": null}', "rule.json: max_iterations: expected an integer, got None"),
     ('{"hensel": "B/S", "max_iterations": NaN}', "expected an integer, got nan"),
     ('{"hensel": 5}', "hensel is invalid: .* got 5"),
     ('{"hensel": "B9/S"}', "hensel is invalid: .* got '9'"),

@@ -119,6 +119,31 @@ def test_stacks_without_pixels_take_no_time(rule, shape):
     assert thinbench.thin(np.empty(shape, bool), rule, threads=2, stack=True).shape == shape
 
 
+@pytest.mark.parametrize(("shape", "view"), [
+    ((4, 1, 9), lambda base: base[:, ::5]), ((4, 1, 9), lambda base: base[:, ::-3]), ((4, 1, 1), lambda base: base[:, ::5]),
+    ((4, 6, 9), lambda base: base[::3][:1]), ((4, 6, 9), lambda base: base[:0, ::5]), ((1, 6, 9), lambda base: base[::7]),
+    ((200, 1, 30), lambda base: base[:, ::100000])])
+def test_strides_of_axes_of_length_1_mean_nothing_in_stacks(shape, view):
+    stack = view(np.random.RandomState(0).rand(*shape) < 0.8)
+    assert stack.flags.c_contiguous and stack.strides != stack.copy().strides
+    expected = thinbench.thin(stack.copy(), stack=True)
+    np.testing.assert_array_equal(thinbench.thin(stack, stack=True), expected)
+    np.testing.assert_array_equal(thinbench.thin(stack, out=stack, stack=True), expected)
+
+
+@pytest.mark.parametrize("function", [
+    thinbench.thin, thinbench.thin_labels, thinbench.fill_holes, thinbench.fill_holes_of_labels, thinbench.midpoint_scan,
+    lambda image, **options: thinbench.prune(image, 2, **options),
+    lambda image, **options: thinbench.prune_labels(image, 2, **options),
+    lambda image, **options: thinbench.thin_packed(image, 512, **options)])
+@pytest.mark.parametrize("rows", [slice(1, 3, 2), slice(3, 1, -2)])
+def test_one_row_of_an_image_may_become_the_result(function, rows):
+    row = np.random.RandomState(0).randint(0, 2, (5, 64)).astype(np.uint8)[rows]
+    expected = function(row.copy())
+    assert function(row, out=row) is row
+    np.testing.assert_array_equal(row, expected)
+
+
 def test_partial_overlap_is_rejected():
     memory = np.zeros(100, bool)
     with pytest.raises(ValueError, match="overlap"):

@@ -12,7 +12,7 @@ from thinbench import _arrays
 
 def picture_of(image: Any, name: str, original: str) -> npt.NDArray[Any]:
     """A 2-D array of real numbers; for others, an error that names the original."""
-    picture = np.asarray(image)
+    picture = _arrays.as_array(name, image)
     if picture.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got dtype {picture.dtype}")
     if picture.ndim != 2:
@@ -31,7 +31,7 @@ def nonzero(picture: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
 
 def as_bool(image: npt.ArrayLike) -> npt.NDArray[np.bool_]:
     """A new 2-D array: whether a pixel is nonzero."""
-    picture = np.asarray(image)
+    picture = _arrays.as_array("image", image)
     if picture.ndim != 2:
         raise ValueError(f"image: expected shape (H, W), got {picture.shape}"
                          f"{_arrays.channel_advice(picture, 'image', is_binary=True)}")

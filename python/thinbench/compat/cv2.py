@@ -244,7 +244,7 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
     for name, value, known in (("distanceType", distanceType, (DIST_L1, DIST_L2, DIST_C)),
                                ("maskSize", maskSize, (DIST_MASK_PRECISE, DIST_MASK_3, DIST_MASK_5)),
                                ("dstType", dstType, (CV_32F,))):
-        if value not in known:
+        if _arrays.integer(name, value) not in known:
             raise NotImplementedError(f"{name}: expected {' or '.join(map(str, known))}, got {value}; "
                                       "use cv2.distanceTransform")
     found = _arrays.result_for(image, dst, "dst", np.float32)
@@ -292,10 +292,11 @@ def _grey(source: npt.ArrayLike, name: str) -> npt.NDArray[np.uint8]:
 
 def _checked(source: npt.ArrayLike, connectivity: int, ltype: int) -> tuple[npt.NDArray[np.uint8], int, bytes]:
     """An image, the connectivity and the order of labels."""
-    image = np.asarray(source)
+    image = _arrays.as_array("image", source)
+    connectivity = _arrays.integer("connectivity", connectivity)
     if connectivity not in (4, 8):
         raise ValueError(f"connectivity: expected 8 or 4, got {connectivity!r}")
-    if ltype not in _LABEL_TYPES:
+    if _arrays.integer("ltype", ltype) not in _LABEL_TYPES:
         raise ValueError(f"ltype: expected {CV_32S} (CV_32S) or {CV_16U} (CV_16U), got {ltype!r}")
     return _grey(image.view(np.uint8) if image.dtype == np.int8 else image, "image"), connectivity, b"opencv"
 

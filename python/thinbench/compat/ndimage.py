@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _images
+from thinbench import _arrays, _images
 from thinbench.compat import _inputs
 
 _CROSS = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)
@@ -49,7 +49,7 @@ def label(input: npt.ArrayLike, structure: npt.ArrayLike | None = None,
      [0 3 0]] 3
     """
     picture = _inputs.picture_of(input, "input", "scipy.ndimage.label")
-    given = np.asarray(_CROSS if structure is None else structure, dtype=bool)
+    given = _arrays.as_array("structure", _CROSS if structure is None else structure, bool)
     if given.ndim != 2:
         raise RuntimeError(f"structure: expected two dimensions, got shape {given.shape}")
     if given.shape != (3, 3):
@@ -100,7 +100,7 @@ def binary_fill_holes(input: npt.ArrayLike, structure: npt.ArrayLike | None = No
     """
     name = "scipy.ndimage.binary_fill_holes"
     picture = _inputs.picture_of(input, "input", name)
-    background = _connectivity(np.asarray(_CROSS if structure is None else structure, dtype=bool), name)
+    background = _connectivity(_arrays.as_array("structure", _CROSS if structure is None else structure, bool), name)
     if np.any(origin):
         raise NotImplementedError(f"origin: expected 0, got {origin}; use {name}")
     if isinstance(output, np.ndarray) and output.shape != picture.shape:
@@ -171,6 +171,8 @@ def _given(found: npt.NDArray[Any], out: npt.NDArray[Any] | None, name: str) -> 
     """The array, unless there is another one, which receives it."""
     if out is None:
         return [found]
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"{name}: expected an array, got {type(out).__name__}")
     if out.shape != found.shape or out.dtype != found.dtype:
         raise RuntimeError(f"{name}: expected {found.dtype} of shape {found.shape}, "
                            f"got {out.dtype} of shape {out.shape}")
@@ -197,10 +199,10 @@ def _convert(labels: npt.NDArray[np.int32], output: npt.NDArray[Any]) -> npt.NDA
 
 
 def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float64]:
-    spacing = np.asarray(1 if sampling is None else sampling, np.float64)
+    spacing = _arrays.as_array("sampling", 1 if sampling is None else sampling, np.float64)
     if spacing.shape not in ((), (2,)):
         raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
-    down, across = (float(number) for number in np.broadcast_to(spacing, 2))
+    down, across = _arrays.spacing("sampling", np.broadcast_to(spacing, 2))
     found = _images.distances(_inputs.nonzero(picture), spacing=(down, across))
     if found.size > 0 and found.flat[0] == np.inf:
         rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Sequence
 from typing import Any, Literal
@@ -92,12 +93,13 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
     >>> print(skimage.skeletonize(np.ones((3, 5)))[1].astype(int))
     [1 1 1 0 0]
     """
-    if method == "lee" or (method is None and np.ndim(image) == 3):
-        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(np.asarray(image), 'image', True)}; "
+    array = _arrays.as_array("image", image)
+    if method == "lee" or (method is None and array.ndim == 3):
+        raise NotImplementedError(f"method: 'lee' is not here{_arrays.channel_advice(array, 'image', True)}; "
                                   "use scikit-image's skimage.morphology.skeletonize")
     if method not in (None, "zhang"):
         raise ValueError(f"method: expected None or 'zhang', got {method!r}")
-    picture: Any = _inputs.as_bool(image)
+    picture: Any = _inputs.as_bool(array)
     return _thin(picture, "zhang_suen_skimage", out=picture)
 
 
@@ -145,7 +147,8 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
         return (labels, count) if return_num else labels
     if background is None:
         background = 0
-    _arrays.real("background", background)  # int() reads strings, too
+    if not math.isfinite(_arrays.real("background", background)):  # int() reads strings, too
+        raise ValueError(f"background: expected a finite number, got {background}")
     labels, count = _label_values(picture, int(background), neighbours)
     wide = labels.astype(np.intp)
     return (wide, count) if return_num else wide
@@ -177,7 +180,7 @@ def remove_small_objects(ar: npt.ArrayLike, min_size: float = 64, connectivity: 
     ar : array of bool or of integers, shape (H, W)
         Objects, or labels of at least 0, which need not be connected.
     min_size : number
-        The area of the smallest object that stays.
+        The area of the smallest object that stays; 0 removes nothing, and takes any integers.
     connectivity : {1, 2}
         Of objects: pixels have 4 or 8 neighbours.
     out : array, optional
@@ -207,12 +210,20 @@ def remove_small_objects(ar: npt.ArrayLike, min_size: float = 64, connectivity: 
         raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
     least = _arrays.real("min_size", min_size)
     result = _arrays.result_for(picture, out)
+    if least == 0:  # as in scikit-image, also of negative numbers
+        np.copyto(result, picture)
+        return result
+    if picture.dtype.kind == "i" and picture.size and picture.min() < 0:
+        raise ValueError(f"ar: expected labels of at least 0, got {picture.min()}; `skimage.label` makes them")
     if picture.dtype == bool:
-        labels, (objects, _) = _images.numbered_objects(picture, 4 * connectivity)
+        labels, (objects, _) = _images.numbered_objects(picture, 4 if connectivity == 1 else 8)
         areas = np.append(0, objects["area"])
+    elif picture.dtype.kind == "u" and picture.itemsize == 8:  # may be too large for an index
+        _, places, areas = np.unique(picture, return_inverse=True, return_counts=True)
+        labels = places.reshape(picture.shape)
     else:
         labels, areas = picture, np.bincount(picture.ravel())
-    np.multiply(picture, (areas >= least)[labels], out=result, casting="unsafe")
+    np.multiply(picture, ~(areas < least)[labels], out=result, casting="unsafe")
     return result
 
 
@@ -250,6 +261,7 @@ def remove_small_holes(ar: npt.ArrayLike, area_threshold: float = 64, connectivi
     [ True  True  True False False]
     """
     picture = _of_objects(ar, "skimage.morphology.remove_small_holes")
+    _arrays.real("area_threshold", area_threshold)
     background = picture == 0
     result: npt.NDArray[np.bool_] = _arrays.result_for(background, out)
     np.logical_not(remove_small_objects(background, area_threshold, connectivity), out=result)
@@ -260,8 +272,6 @@ def _of_objects(ar: npt.ArrayLike, original: str) -> npt.NDArray[Any]:
     picture = _inputs.picture_of(ar, "ar", original)
     if picture.dtype.kind not in "biu":
         raise TypeError(f"ar: expected bool or integers, got {picture.dtype}; `ar > threshold` makes one")
-    if picture.dtype.kind == "i" and picture.size and picture.min() < 0:
-        raise ValueError(f"ar: expected labels of at least 0, got {picture.min()}; `skimage.label` makes them")
     return picture
 
 
@@ -320,4 +330,4 @@ def regionprops_table(label_image: npt.ArrayLike, intensity_image: npt.ArrayLike
     intensities = None if intensity_image is None else _inputs.picture_of(intensity_image, "intensity_image", name)
     if intensities is not None and intensities.shape != picture.shape:
         raise ValueError(f"intensity_image: expected shape {picture.shape}, got {intensities.shape}")
-    return _label_tables.measured(picture, intensities, properties, separator, name)
+    return _label_tables.measured(picture, intensities, properties, _arrays.text("separator", separator), name)
