@@ -4,6 +4,7 @@
 #include "api/c_arguments.hpp"
 #include "thinbench/localise.hpp"
 
+// The size of an element tells versions apart: a new member needs more than its padding.
 static_assert(offsetof(thinbench_region, enclosing_object) ==
               offsetof(thinbench::Region, enclosing_object));
 
@@ -93,12 +94,12 @@ thinbench_status thinbench_localise_objects(const thinbench_image* grey,
                                             thinbench_regions** regions) {
   return give(regions, "regions", [&] {
     const EdgeThresholds thresholds = {gradient_threshold, brightness_threshold};
-    if (objects == nullptr) {
-      return localise_objects(image_of(grey), thresholds, execution_of(execution));
-    }
+    const ConstImageView source = image_of(grey);
+    if (objects == nullptr) return localise_objects(source, thresholds, execution_of(execution));
     Regions found;
     write_to(objects, [&](const ImageView& to) {
-      found = localise_objects(image_of(grey), thresholds, execution_of(execution), to);
+      require_data(to, source, "objects");
+      found = localise_objects(source, thresholds, execution_of(execution), to);
     });
     return found;
   });

@@ -9,7 +9,8 @@
  * C++ headers say more, and docs/library.md lists what differs. Rules, edge operators, borders,
  * channels and ISAs go by the names that the program uses: "guo_hall", "sobel", "avx2".
  *
- * Arguments come in this order: what is read, what is written, options, execution, other results.
+ * Arguments come in this order: what is read, images that are written, options, execution, other
+ * results.
  * Width is before height, x before y. The foreground of an image is what is not 0; what is outside
  * the image is background. A source is never written, so a const pointer may be cast. Unless a
  * comment says otherwise, a destination has the size of its source, and is the source or shares no

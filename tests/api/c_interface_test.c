@@ -225,6 +225,9 @@ static void finds_edges_and_localises(void) {
   draw();
   rejects(thinbench_detect_edges("canny", &one, &output, 0, 0, NULL), "'canny'");
   output.foreground = 1;
+  output.data = NULL;
+  rejects(thinbench_localise_objects(&one, &output, 0, 0, NULL, &regions), "objects has no data");
+  output.data = &results[0][0][0];
   SUCCEEDS(thinbench_localise_objects(&one, NULL, 0, 0, NULL, &regions));
   thinbench_regions_destroy(regions);
   CHECK(unwritten());
@@ -549,6 +552,7 @@ static const uint8_t tee[3][5] = {{0, 0, 1, 0, 0}, {0, 0, 1, 0, 0}, {1, 1, 1, 1,
 static void finds_the_graph_of_a_skeleton(void) {
   const thinbench_image image = view_of(&tee[0][0], 5, 3);
   const thinbench_pixel middle[1] = {{2, 1}}, elsewhere[1] = {{0, 0}};
+  const thinbench_image no_data = view_of(NULL, 5, 3);
   uint8_t classes[15];
   const thinbench_image to = view_of(classes, 5, 3);
   double distances[15];
@@ -562,6 +566,8 @@ static void finds_the_graph_of_a_skeleton(void) {
   spacing.x = 3;
   spacing.y = 2;
   draw();
+  rejects(thinbench_classify_pixels(&image, &no_data, NULL, NULL), "classes has no data");
+  rejects(thinbench_classify_pixels(&image, NULL, &no_data, NULL), "degrees has no data");
   SUCCEEDS(thinbench_classify_pixels(&image, &to, NULL, NULL));
   CHECK(classes[2] == 2 && classes[7] == 3 && classes[12] == 4 && classes[0] == 0);
   SUCCEEDS(thinbench_full_blocks(&image, NULL, &blocks, NULL));

@@ -15,6 +15,7 @@
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
+#include "thinbench/many.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/nets.hpp"
 #include "thinbench/packed.hpp"
@@ -148,6 +149,16 @@ TEST(PackedThin, every_variant_gives_the_same_bits) {
                    state.run(source.view(), result.view());
                    EXPECT_EQ(result, bits) << name;
                  });
+}
+
+TEST(Thin, one_row_or_image_is_in_place_whatever_its_strides) {
+  std::vector<std::uint8_t> row = {1, 1, 1, 0, 1, 1, 1};
+  thin(Rule::named("guo_hall"), {row.data(), 7, 1, 700}, ImageView(row.data(), 7, 1));
+  const std::vector<std::uint8_t> thinned = row;
+  EXPECT_NE(thinned[0], 1) << "nothing was written";
+  thin_stack(Rule::named("guo_hall"), ConstStackView(row.data(), 1, 7, 1, 700, 900),
+             StackView(row.data(), 1, 7, 1));
+  EXPECT_EQ(row, thinned);
 }
 
 TEST(PackedThin, works_in_place_and_from_one_bit_order_to_the_other) {

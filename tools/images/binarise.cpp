@@ -79,8 +79,9 @@ Binarisation request_for(const GreyImage& grey, const BinariseOptions& options) 
   Binarisation request = {options.foreground, std::nullopt, options.local};
   if (options.threshold) request.threshold = level_of(*options.threshold, grey);
   if (request.local && options.offset) {
+    constexpr int most = 65535;  // which 8 bits reject
     const double offset = std::round(*options.offset / grey.step);
-    request.local->offset = static_cast<int>(std::min<double>(offset, grey.highest()));
+    request.local->offset = static_cast<int>(std::min<double>(offset, most));
   }
   return request;
 }
