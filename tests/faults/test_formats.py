@@ -205,6 +205,21 @@ def test_smaller_copies_and_masks_are_no_pages(tmp_path: Path) -> None:
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["a_page1.json", "a_page4.json", "manifest.csv"]
 
 
+def test_a_page_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
+    page = Image.new("L", (9, 9))
+    page.save(tmp_path / "a.tif", save_all=True, append_images=[page, page])
+    data = bytearray((tmp_path / "a.tif").read_bytes())
+    first, = struct.unpack_from("<I", data, 4)
+    entries, = struct.unpack_from("<H", data, first)
+    second, = struct.unpack_from("<I", data, first + 2 + 12 * entries)
+    width = data.index(struct.pack("<HH", 256, LONG), second)
+    struct.pack_into("<HHI", data, width, 256, TEXT, 9)
+    (tmp_path / "a.tif").write_bytes(data)
+    result = run(["thinbench", "batch", "holes", "a.tif", "--out", "out"], tmp_path)
+    assert result.status == 1 and b"'a.tif': its page 2 cannot be read" in result.err, result
+    assert (tmp_path / "out/a_page1.json").exists() and not (tmp_path / "out/a_page2.json").exists()
+
+
 # Numbers of files.
 
 REAL, SIGNED = 3, 2

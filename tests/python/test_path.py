@@ -208,7 +208,7 @@ def test_snap_speaks_of_metres(saved):
     ("map.yaml --crop 0,0,9x9", 2, "--crop is for pictures, and 'map.yaml' describes an occupancy map"),
     ("map.yaml --overlay map.png", 2, "'map.png' is read or written as another file"),
     ("map.yaml --unit m --start 1,2,3", 2, "--start: expected X,Y in metres such as 1.5,-2, got '1,2,3'"),
-    ("map.yaml --unit m --goal -300,0.5", 1, "goal -300,0.5 m, which is pixel -"),
+    ("map.yaml --unit m --goal -300,0.5", 1, "goal -300,0.5 m, which is pixel 4884,-3546, is outside the map of 101 x 41 pixels"),
     ("plan.png --unknown free", 1, "--unknown is for occupancy maps; the grey levels of this image are not 0, 205"),
     ("long.png --snap", 1, "map: expected sides of at most 32767, got 32768 x 30; free space is "),
     ("none.yaml", 1, "cannot read 'none.yaml': there is no such file"),

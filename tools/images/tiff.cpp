@@ -530,9 +530,12 @@ std::vector<int> tiff_pages(std::string_view bytes) {
   const TiffHandle tiff(bytes);
   std::vector<int> pages = {0};
   if (tiff.get() == nullptr) return pages;
-  for (int page = 1; TIFFReadDirectory(tiff.get()) == 1; ++page) {
+  const int count = static_cast<int>(TIFFNumberOfDirectories(tiff.get()));
+  bool is_read = true;  // else reading the page gives the reason
+  for (int page = 1; page < count; ++page) {
     std::uint32_t kind = 0;
-    TIFFGetField(tiff.get(), TIFFTAG_SUBFILETYPE, &kind);
+    is_read = is_read && TIFFReadDirectory(tiff.get()) == 1;
+    if (is_read) TIFFGetField(tiff.get(), TIFFTAG_SUBFILETYPE, &kind);
     if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) pages.push_back(page);
   }
   return pages;
