@@ -3,9 +3,9 @@
 namespace thinbench::detail {
 
 #ifdef _GLIBCXX_DEBUG
-const bool kInterface_1_0_debug = true;
+const bool kInterface1x0Debug = true;
 #else
-const bool kInterface_1_0 = true;
+const bool kInterface1x0 = true;
 #endif
 
 }  // namespace thinbench::detail

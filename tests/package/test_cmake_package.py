@@ -69,7 +69,7 @@ def test_pkg_config(prefix, tmp_path, static):
     done = subprocess.run(["g++", "-std=c++20", "-D_GLIBCXX_DEBUG", "example.cpp", "-o", "debug", *flags],
                           cwd=tmp_path, text=True, capture_output=True, check=False)
     assert done.returncode != 0
-    assert "undefined reference to `thinbench::detail::kInterface_1_0_debug'" in done.stderr
+    assert "undefined reference to `thinbench::detail::kInterface1x0Debug'" in done.stderr
 
 
 C_FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]

@@ -55,7 +55,7 @@ void mark_segment(Pixel a, Pixel b, double radius, Index height, const Mark& mar
   const auto last = static_cast<Index>(
       std::min(static_cast<double>(height - 1), std::floor(std::max(a.y, b.y) + radius)));
   for (Index y = first; y <= last; ++y) {
-    double left = INFINITY, right = -INFINITY;
+    double left = HUGE_VAL, right = -HUGE_VAL;
     const auto add = [&](double x, double reach) {
       left = std::min(left, x - reach);
       right = std::max(right, x + reach);

@@ -147,6 +147,7 @@ void write_grey(const std::string& path, const ConstImageView& image) {
 
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
   std::vector<Samples> all;
+  all.reserve(pages.size());
   for (const ByteImage& page : pages) all.push_back(samples_of(page.view(), SampleKind::u8));
   write_images(path, all);
 }
