@@ -274,6 +274,17 @@ def test_nodata_is_the_least_number(numbers: npt.NDArray[Any], least: int, tmp_p
     assert least < float(str(found["threshold"])) <= 90
 
 
+@pytest.mark.parametrize("data", [
+    row(np.float32([-9999, -9999]), more={NODATA: (TEXT, b"-9999\0")}),
+    row(np.float32([np.nan, np.nan])),
+    row(np.int32([-9999, -9999]), more={NODATA: (TEXT, b"-9999\0")}),
+    row(np.float32([1, 0, 2, 0]), 2, {EXTRA: (SHORT, [2])})], ids=["nodata", "NaN", "integers", "transparent"])
+@pytest.mark.parametrize("threshold", ["otsu", "0.5", "1e6"])
+def test_a_tile_without_numbers_has_no_objects(data: bytes, threshold: str, tmp_path: Path) -> None:
+    (tmp_path / "a.tif").write_bytes(data)
+    assert objects(tmp_path / "a.tif", "--threshold", threshold) == 0
+
+
 @pytest.mark.parametrize("kind, opaque", [(np.int16, 32767), (np.float32, 255), (np.uint32, 255), (np.uint32, 2**32 - 1)])
 def test_opacity_is_no_number_of_the_picture(kind: type, opaque: int, tmp_path: Path) -> None:
     path = tmp_path / "a.tif"

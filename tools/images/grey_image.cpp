@@ -41,17 +41,15 @@ Numbers numbers_of(const Pixels& image, std::optional<T> boundary) {
   Numbers numbers;
   const T* pixel = image.samples_of_row<T>(0);
   const int colours = image.channels - (image.has_opacity() ? 1 : 0);
-  bool is_seen = false;
   for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
     if (colours < image.channels && !(pixel[colours] > 0)) continue;
-    is_seen = true;
     for (int k = 0; k < colours; ++k) {
       if (const auto value = static_cast<double>(pixel[k]); !std::isnan(value)) numbers.add(value);
     }
   }
-  if (!is_seen) return {0, 0};
+  if (numbers.lowest > numbers.highest) numbers.add(0);  // there is none
   if (!std::isfinite(numbers.highest - numbers.lowest))
-    throw DecodeError("it has no finite numbers, or infinite ones");
+    throw DecodeError("it has infinite numbers");
   if (boundary) numbers.add(static_cast<double>(*boundary));
   return numbers;
 }
