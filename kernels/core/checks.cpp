@@ -73,8 +73,10 @@ bool side_by_side(const Memory& a, const Memory& b) {
          column + b.row_elements * b.element_bytes <= stride;
 }
 
+/// Of images of one size: whether each pixel has one place. A stride to nothing does not matter.
 bool same_memory(const Memory& a, const Memory& b) {
-  return a.data == b.data && a.stride == b.stride && a.image_stride == b.image_stride;
+  return a.data == b.data && (a.rows == 1 || a.stride == b.stride) &&
+         (a.images == 1 || a.image_stride == b.image_stride);
 }
 
 /// Bytes from `begin` to `end` that belong to image `image` of a list.
