@@ -203,8 +203,9 @@ void set_foreground(const Written<StackView>& stack);
 
 /// Calls `write` with the image of a result, of which the caller may want another foreground.
 template <class Write>
-void write_to(const thinbench_image* destination, const Write& write) {
-  const Written<ImageView> image = written(destination);
+void write_to(const thinbench_image* destination, const Write& write,
+              const char* name = "destination") {
+  const Written<ImageView> image = written(destination, name);
   write(image.view);
   set_foreground(image);
 }

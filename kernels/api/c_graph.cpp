@@ -55,10 +55,14 @@ thinbench_status thinbench_classify_pixels(const thinbench_image* image,
                                            const thinbench_image* degrees,
                                            const thinbench_execution* execution) {
   return guarded([&] {
-    const auto view = [](const thinbench_image* result, const char* name) {
-      return result == nullptr ? ImageView() : written(result, name).view;
+    const ConstImageView source = image_of(image, "image");
+    const auto view = [&](const thinbench_image* result, const char* name) {
+      if (result == nullptr) return ImageView();
+      const ImageView to = written(result, name).view;
+      check(memory_of("image", source), memory_of(name, to), InPlace::rejected);
+      return to;
     };
-    classify_pixels(image_of(image, "image"), view(classes, "classes"), view(degrees, "degrees"),
+    classify_pixels(source, view(classes, "classes"), view(degrees, "degrees"),
                     execution_of(execution));
   });
 }
