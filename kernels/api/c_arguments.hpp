@@ -201,16 +201,11 @@ struct Written {
 void set_foreground(const Written<ImageView>& image);
 void set_foreground(const Written<StackView>& stack);
 
-/// C++ leaves out a result without data; C has null pointers for that.
-inline void require_data(const ImageView& result, const ConstImageView& source, const char* name) {
-  if (result.data != nullptr || source.width < 1 || source.height < 1) return;
-  reject(name + std::string(" has no data"));
-}
-
 /// Calls `write` with the image of a result, of which the caller may want another foreground.
 template <class Write>
-void write_to(const thinbench_image* destination, const Write& write) {
-  const Written<ImageView> image = written(destination);
+void write_to(const thinbench_image* destination, const Write& write,
+              const char* name = "destination") {
+  const Written<ImageView> image = written(destination, name);
   write(image.view);
   set_foreground(image);
 }

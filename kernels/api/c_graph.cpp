@@ -56,10 +56,10 @@ thinbench_status thinbench_classify_pixels(const thinbench_image* image,
                                            const thinbench_execution* execution) {
   return guarded([&] {
     const ConstImageView source = image_of(image, "image");
-    const auto view = [&source](const thinbench_image* result, const char* name) {
+    const auto view = [&](const thinbench_image* result, const char* name) {
       if (result == nullptr) return ImageView();
       const ImageView to = written(result, name).view;
-      require_data(to, source, name);
+      check(memory_of("image", source), memory_of(name, to), InPlace::rejected);
       return to;
     };
     classify_pixels(source, view(classes, "classes"), view(degrees, "degrees"),

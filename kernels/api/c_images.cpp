@@ -23,9 +23,16 @@ Binarisation binarisation_of(const thinbench_binarisation* given) {
   if (all.threshold == THINBENCH_LOCAL) {
     request.local = LocalThreshold{all.window, {}};
     if (all.offset != -1) request.local->offset = all.offset;
-  } else if (all.threshold != THINBENCH_OTSU) {
-    request.threshold = all.threshold;
+    return request;
   }
+  const auto require_local = [](const char* name, std::int32_t value, std::int32_t by_default) {
+    require(value == by_default, [&] {
+      return name + (": expected THINBENCH_LOCAL beside it, got " + std::to_string(value));
+    });
+  };
+  require_local("window", all.window, 0);
+  require_local("offset", all.offset, -1);
+  if (all.threshold != THINBENCH_OTSU) request.threshold = all.threshold;
   return request;
 }
 
@@ -94,7 +101,7 @@ thinbench_status thinbench_binarise(const thinbench_image* grey, const thinbench
                                     const thinbench_execution* execution, const char** foreground,
                                     int32_t* threshold) {
   return binarise_into(destination, foreground, threshold, [&](const ImageView& to) {
-    return binarise(image_of(grey), to, binarisation_of(request), execution_of(execution));
+    return binarise(image_of(grey, "grey"), to, binarisation_of(request), execution_of(execution));
   });
 }
 
@@ -104,7 +111,7 @@ thinbench_status thinbench_binarise16(const thinbench_image16* grey,
                                       const thinbench_execution* execution, const char** foreground,
                                       int32_t* threshold) {
   return binarise_into(destination, foreground, threshold, [&](const ImageView& to) {
-    return binarise16(levels_of(grey, "source"), to, binarisation_of(request),
+    return binarise16(levels_of(grey, "grey"), to, binarisation_of(request),
                       execution_of(execution));
   });
 }

@@ -4,9 +4,7 @@
 #include "api/c_arguments.hpp"
 #include "thinbench/localise.hpp"
 
-// The size of an element tells versions apart: a new member needs more than its padding.
-static_assert(offsetof(thinbench_region, enclosing_object) ==
-              offsetof(thinbench::Region, enclosing_object));
+static_assert(offsetof(thinbench_region, reserved) == offsetof(thinbench::Region, reserved));
 
 struct thinbench_regions : thinbench::Regions {};
 
@@ -93,14 +91,15 @@ thinbench_status thinbench_localise_objects(const thinbench_image* grey,
                                             const thinbench_execution* execution,
                                             thinbench_regions** regions) {
   return give(regions, "regions", [&] {
+    const ConstImageView source = image_of(grey, "grey");
     const EdgeThresholds thresholds = {gradient_threshold, brightness_threshold};
-    const ConstImageView source = image_of(grey);
     if (objects == nullptr) return localise_objects(source, thresholds, execution_of(execution));
     Regions found;
-    write_to(objects, [&](const ImageView& to) {
-      require_data(to, source, "objects");
+    const auto write = [&](const ImageView& to) {
+      check(memory_of("grey", source), memory_of("objects", to), InPlace::allowed);
       found = localise_objects(source, thresholds, execution_of(execution), to);
-    });
+    };
+    write_to(objects, write, "objects");
     return found;
   });
 }

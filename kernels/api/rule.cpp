@@ -54,7 +54,6 @@ std::vector<WindowTable> tables_of() {
 SharedRule make_built_in(const RuleInfo& info) {
   auto body = std::make_shared<RuleBody>();
   body->name = info.name;
-  body->operation = info.operation;
   detail::for_each_parallel_rule([&]<class Type>(BuiltInRule rule) {
     if (rule != info.rule) return;
     body->circuits = rule;
@@ -89,7 +88,6 @@ SharedRule make_from_tables(std::span<const WindowTable> tables, const RuleOptio
                                            std::to_string(options.max_iterations));
   auto body = std::make_shared<RuleBody>();
   body->name = options.name;
-  body->operation = options.name;
   body->border = options.border;
   body->max_iterations = options.max_iterations;
   set_tables(*body, tables, options.optimise);
@@ -103,7 +101,7 @@ SharedRule make_net(const WindowTable& table, std::string_view name) {
     return make_from_tables(std::span(&table, 1), {.name = std::string(name)});
   }
   auto body = std::make_shared<RuleBody>(*learned);
-  body->name = body->operation = name;
+  body->name = name;
   return body;
 }
 

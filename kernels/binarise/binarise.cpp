@@ -36,6 +36,12 @@ void check(const Binarisation& request, int highest) {
           "offset: " + levels + std::to_string(offset.value_or(0)));
 }
 
+template <class T>
+void check(const View<const T>& grey, const ImageView& destination, detail::InPlace in_place) {
+  detail::check(detail::memory_of("grey", grey), detail::memory_of("destination", destination),
+                in_place);
+}
+
 /// 255 on bright pixels.
 template <class T>
 void split(const View<const T>& grey, const ImageView& to, int threshold, Foreground foreground) {
@@ -152,7 +158,7 @@ Binarised binarise_checked(const View<const T>& grey, const ImageView& destinati
 
 Binarised binarise(ConstImageView grey, ImageView destination, const Binarisation& request,
                    const Execution& execution) {
-  detail::check_views(grey, destination, detail::InPlace::allowed);
+  check(grey, destination, detail::InPlace::allowed);
   detail::require_execution(execution);
   if (!request.local || grey.data != destination.data) {
     return binarise_checked(grey, destination, request);
@@ -163,7 +169,7 @@ Binarised binarise(ConstImageView grey, ImageView destination, const Binarisatio
 
 Binarised binarise16(View<const std::uint16_t> grey, ImageView destination,
                      const Binarisation& request, const Execution& execution) {
-  detail::check_views(grey, destination, detail::InPlace::rejected);
+  check(grey, destination, detail::InPlace::rejected);
   detail::require_execution(execution);
   return binarise_checked(grey, destination, request);
 }

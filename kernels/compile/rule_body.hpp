@@ -19,7 +19,6 @@ struct RuleBody {
   virtual ~RuleBody() = default;
 
   std::string name;
-  std::string operation;  // for messages: of a built-in rule, else the name
   Border border = Border::background;
   int max_iterations = kUnlimited;
   /// The built-in rule whose circuits compute this rule; none: tables, compiled at run time.

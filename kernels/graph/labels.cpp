@@ -75,7 +75,7 @@ LabelGraph sorted(const Graph& graph, const ConstLabelView& labels) {
 }  // namespace
 
 LabelGraph graph_of_labels(ConstLabelView skeletons, const Execution& execution) {
-  detail::check(detail::memory_of("labels", skeletons));
+  detail::check(detail::memory_of("skeletons", skeletons));
   detail::require_label_size(skeletons.width, skeletons.height);
   Graph all;
   LabelColours(skeletons).for_each(
@@ -112,7 +112,8 @@ void distances_of_labels(ConstLabelView labels, View<double> distances, const Sp
 
 LabelGraph prune_labels(ConstLabelView skeletons, LabelView destination, const Pruning& pruning,
                         const Execution& execution) {
-  detail::check_views(skeletons, destination, detail::InPlace::allowed);
+  detail::check(detail::memory_of("skeletons", skeletons),
+                detail::memory_of("destination", destination), detail::InPlace::allowed);
   detail::require_label_size(skeletons.width, skeletons.height);
   ByteImage kept(skeletons.width, skeletons.height);
   std::vector<std::uint8_t> is_kept(static_cast<std::size_t>(kept.width() * kept.height()));

@@ -23,10 +23,8 @@ BitPlane packed(const ConstImageView& image, Isa isa) {
   return plane;
 }
 
-void check_destination(const ConstImageView& image, const ImageView& destination) {
-  if (destination.data != nullptr) {
-    detail::check_views(image, destination, detail::InPlace::rejected);
-  }
+void check_result(const detail::Memory& image, const detail::Memory& result) {
+  if (result.data != nullptr) detail::check(image, result, detail::InPlace::rejected);
 }
 
 PixelClass class_of(bool foreground, bool line, unsigned degree) {
@@ -56,11 +54,14 @@ void classify_word(const detail::ConstBitPlaneView& image, Index y, Index i, con
 
 void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees,
                      const Execution& execution) {
-  detail::check_views(image, image, detail::InPlace::allowed);
+  const auto of_image = detail::memory_of("image", image);
+  const auto of_classes = detail::memory_of("classes", classes);
+  const auto of_degrees = detail::memory_of("degrees", degrees);
+  detail::check(of_image);
   detail::require_label_size(image.width, image.height);
-  check_destination(image, classes);
-  check_destination(image, degrees);
-  if (classes.data != nullptr) check_destination(classes, degrees);
+  check_result(of_image, of_classes);
+  check_result(of_image, of_degrees);
+  if (classes.data != nullptr) check_result(of_classes, of_degrees);
   const BitPlane plane = packed(image, detail::checked_isa(execution));
   const detail::ConstBitPlaneView bits = plane.view();
   for (Index y = 0; y < bits.height; ++y) {
@@ -74,7 +75,7 @@ void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees,
 }
 
 FullBlocks full_blocks(ConstImageView image, const Execution& execution) {
-  detail::check_views(image, image, detail::InPlace::allowed);
+  detail::check(detail::memory_of("image", image));
   detail::require_label_size(image.width, image.height);
   const BitPlane plane = packed(image, detail::checked_isa(execution));
   const detail::ConstBitPlaneView bits = plane.view();

@@ -24,7 +24,7 @@ void check(const Pruning& pruning, const ConstImageView& skeleton) {
 }  // namespace
 
 Graph skeleton_graph(ConstImageView skeleton, const Execution& execution) {
-  detail::check_views(skeleton, skeleton, detail::InPlace::allowed);
+  detail::check(detail::memory_of("skeleton", skeleton));
   const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
                                              skeleton.height, {}, execution);
   return std::move(state->run(skeleton));
@@ -32,7 +32,8 @@ Graph skeleton_graph(ConstImageView skeleton, const Execution& execution) {
 
 Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
             const Execution& execution) {
-  detail::check_views(skeleton, destination, detail::InPlace::allowed);
+  detail::check(detail::memory_of("skeleton", skeleton),
+                detail::memory_of("destination", destination), detail::InPlace::allowed);
   check(pruning, skeleton);
   const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
                                              skeleton.height, {}, execution);

@@ -9,12 +9,11 @@
  * C++ headers say more, and docs/library.md lists what differs. Rules, edge operators, borders,
  * channels and ISAs go by the names that the program uses: "guo_hall", "sobel", "avx2".
  *
- * Arguments come in this order: what is read, images that are written, options, execution, other
- * results.
- * Width is before height, x before y. The foreground of an image is what is not 0; what is outside
- * the image is background. A source is never written, so a const pointer may be cast. Unless a
- * comment says otherwise, a destination has the size of its source, and is the source or shares no
- * byte with it.
+ * Arguments come in this order: what is read, images that are written, options, execution, and
+ * other results: lists with their capacities, numbers and handles. Width is before height, x before
+ * y. The foreground of an image is what is not 0; what is outside the image is background. A source
+ * is never written, so a const pointer may be cast. Unless a comment says otherwise, a destination
+ * has the size of its source, and is the source or shares no byte with it.
  *
  * A struct that begins with its size is made by its macro, which sets the size and the defaults:
  *
@@ -373,8 +372,9 @@ typedef struct thinbench_binarisation {
   size_t size;            /* of this struct */
   const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
   int32_t threshold;      /* 0 to the highest level, THINBENCH_OTSU or THINBENCH_LOCAL */
-  int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
-  int32_t offset;         /* of the local threshold; -1: 10, of 16 bits 10 / 255 of their range */
+  /* Of the local threshold alone: */
+  int32_t window; /* odd, 3 to 65535; 0: by the image's size */
+  int32_t offset; /* -1: 10, of 16 bits 10 / 255 of their range */
   int32_t reserved;
 } thinbench_binarisation;
 
@@ -465,6 +465,7 @@ typedef struct thinbench_region {
   int32_t right; /* inclusive, as is `bottom` */
   int32_t bottom;
   uint32_t enclosing_object; /* of a hole: the object around it, counted from 1; else 0 */
+  uint32_t reserved;
 } thinbench_region;
 
 /* Objects and holes, in raster order of their first pixels. The functions that make them set
@@ -618,7 +619,7 @@ typedef struct thinbench_pruning {
   double min_length; /* removes end branches below it */
   double min_widths; /* and below so many widths of the object at their junction */
   const thinbench_reals*
-      distances; /* of the image before it was thinned; NULL without min_widths */
+      distances; /* of the image before it was thinned; not read without min_widths */
   const thinbench_spacing* spacing; /* that of the distances and of min_length */
   int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
   int32_t reserved;

@@ -211,7 +211,7 @@ class Search {
 
 std::optional<FoundPath> find_path(ConstImageView free, const PathRequest& request,
                                    const Execution& execution) {
-  detail::check_views(free, free, detail::InPlace::allowed);
+  detail::check(detail::memory_of("free", free));
   require(request.width >= 0 && std::isfinite(request.width),
           "width: expected a finite number from 0 up, got " + detail::number_text(request.width));
   require(std::max(free.width, free.height) <= kMaxDistanceSide,

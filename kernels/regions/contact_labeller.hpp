@@ -61,8 +61,8 @@ class BackgroundRuns {
 };
 
 /// Labels a strip of rows as if it were alone, but that background at its ends is outside only
-/// where the image ends, too. Memory for runs and regions grows on demand and is reused: 8 bytes
-/// per run and, with holes, as many per run of single rows.
+/// where the image ends, too. Memory for runs grows on demand, by half more than needed, and is
+/// reused: 12 bytes per run and, with holes, 20 per run of the background, which is of single rows.
 class ContactStrip {
  public:
   ContactStrip(const LabelParameters& parameters, Isa isa, Index width, Index height);

@@ -88,7 +88,8 @@ std::uint32_t label_values(ConstLabelView values, LabelView labels, Connectivity
                            std::int32_t background, const Execution& execution) {
   static_cast<void>(detail::checked_isa(execution));
   detail::require_connectivity(static_cast<int>(connectivity));
-  detail::check_views(values, labels, detail::InPlace::rejected);
+  detail::check(detail::memory_of("values", values), detail::memory_of("labels", labels),
+                detail::InPlace::rejected);
   detail::require_label_size(values.width, values.height);
   return Labeller(values, labels, connectivity == Connectivity::eight, background).label();
 }

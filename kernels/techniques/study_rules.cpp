@@ -11,7 +11,7 @@ namespace {
 Rule make_net(const Rule& by_table, const NetModel& model, std::string_view name) {
   auto body = std::make_shared<NetBody>();
   static_cast<RuleBody&>(*body) = *body_of(by_table);
-  body->name = body->operation = name;
+  body->name = name;
   body->model = model;
   return RuleAccess::make(std::move(body));
 }
@@ -52,7 +52,6 @@ Rule make_rule(StudyRule rule) {
   }
   auto body = std::make_shared<SptaBody>();
   body->name = info.name;
-  body->operation = info.operation;
   return RuleAccess::make(std::move(body));
 }
 

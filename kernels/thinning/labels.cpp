@@ -80,7 +80,10 @@ std::vector<Run> find_runs(const ConstLabelView& source, const ThreadTeam& team)
       }
     }
   });
+  std::size_t found = 0;
+  for (const auto& part : parts) found += part.size();
   std::vector<Run> runs = std::move(parts.front());
+  runs.reserve(found);
   for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
     runs.insert(runs.end(), part->begin(), part->end());
   }

@@ -30,7 +30,7 @@ ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinnin
   const SharedRule& body = body_of(rule);
   const Border border = thinning.border.value_or(body->border);
   const int max_iterations = thinning.max_iterations.value_or(body->max_iterations);
-  const std::string& name = body->operation;
+  const std::string& name = body->name;
   require(static_cast<std::size_t>(border) < kBorderNames.size(), [&] {
     return "border: expected background, keep or foreground, got " +
            std::to_string(static_cast<int>(border));

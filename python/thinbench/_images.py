@@ -14,8 +14,8 @@ from thinbench import _arrays, _library
 EDGE_OPERATORS = {name: name.encode()
                   for name in _library.all_names(_library.edge_operator_name)}
 REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i4"),
-                    ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("enclosing_object", "u4")],
-                   align=True)
+                    ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("enclosing_object", "u4"),
+                    ("reserved", "u4")])
 
 _ONE = np.array(1, np.int32)  # faster than a number of Python
 _LISTS = _library.regions_objects, _library.regions_holes

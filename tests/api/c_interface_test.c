@@ -188,7 +188,7 @@ static void finds_regions_and_labels(void) {
   CHECK(count == 1);
   hole = thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
   CHECK(count == 1 && hole->area == 1 && hole->left == 7 && hole->bottom == 5);
-  CHECK(hole->enclosing_object == 1);
+  CHECK(hole->enclosing_object == 1 && hole->reserved == 0);
   CHECK(thinbench_regions_holes(regions, NULL, sizeof(thinbench_region)) == hole);
   CHECK(numbers[0][0] == 0 && numbers[2][2] == 1 && numbers[5][7] == 2);
   thinbench_regions_destroy(regions);
@@ -221,8 +221,12 @@ static void finds_regions_and_labels(void) {
 }
 
 static void finds_edges_and_localises(void) {
+  const thinbench_image nothing = THINBENCH_IMAGE_INIT;
   thinbench_regions* regions = NULL;
   draw();
+  rejects(thinbench_localise_objects(&one, &nothing, 0, 0, NULL, &regions),
+          "grey is 20 x 12 and objects 0 x 0");
+  rejects(thinbench_localise_objects(NULL, NULL, 0, 0, NULL, &regions), "grey is NULL");
   rejects(thinbench_detect_edges("canny", &one, &output, 0, 0, NULL), "'canny'");
   output.foreground = 1;
   output.data = NULL;
@@ -437,6 +441,16 @@ static void binarises_grey_images(void) {
   request.foreground = NULL;
   request.threshold = 256;
   rejects(thinbench_binarise(&source, &to, &request, NULL, NULL, NULL), "256");
+  rejects(thinbench_binarise(NULL, &to, NULL, NULL, NULL, NULL), "grey is NULL");
+  request.threshold = THINBENCH_OTSU;
+  request.window = 4;
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL, NULL),
+          "window: expected THINBENCH_LOCAL beside it, got 4");
+  request.window = 0;
+  request.threshold = 100;
+  request.offset = -77;
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL, NULL),
+          "offset: expected THINBENCH_LOCAL beside it, got -77");
   source.foreground = 1;
   SUCCEEDS(thinbench_binarise(&source, &source, NULL, NULL, NULL, NULL));
   CHECK(grey[0] + grey[1] == 1 && grey[0] == grey[3]);
@@ -529,6 +543,9 @@ static void takes_images_without_pixels(void) {
   SUCCEEDS(thinbench_fill_holes(&none, &nowhere, NULL, NULL));
   SUCCEEDS(thinbench_prune(&none, &nowhere, &pruning, NULL, NULL));
   SUCCEEDS(thinbench_squared_distances(&none, &no_labels, NULL));
+  SUCCEEDS(thinbench_classify_pixels(&none, &nowhere, &nowhere, NULL));
+  SUCCEEDS(thinbench_localise_objects(&none, &nowhere, 0, 0, NULL, &regions));
+  thinbench_regions_destroy(regions);
   SUCCEEDS(thinbench_euler_number(&none, 8, NULL, &blocks));
   CHECK(blocks == 0);
   SUCCEEDS(thinbench_full_blocks(&none, NULL, &blocks, NULL));
@@ -555,6 +572,7 @@ static void finds_the_graph_of_a_skeleton(void) {
   const thinbench_image no_data = view_of(NULL, 5, 3);
   uint8_t classes[15];
   const thinbench_image to = view_of(classes, 5, 3);
+  const thinbench_image nothing = THINBENCH_IMAGE_INIT;
   double distances[15];
   thinbench_reals reals = reals_of(distances, 5, 3);
   thinbench_spacing spacing = THINBENCH_SPACING_INIT;
@@ -570,6 +588,8 @@ static void finds_the_graph_of_a_skeleton(void) {
   rejects(thinbench_classify_pixels(&image, NULL, &no_data, NULL), "degrees has no data");
   SUCCEEDS(thinbench_classify_pixels(&image, &to, NULL, NULL));
   CHECK(classes[2] == 2 && classes[7] == 3 && classes[12] == 4 && classes[0] == 0);
+  rejects(thinbench_classify_pixels(&image, &to, &nothing, NULL),
+          "image is 5 x 3 and degrees 0 x 0");
   SUCCEEDS(thinbench_full_blocks(&image, NULL, &blocks, NULL));
   CHECK(blocks == 0);
   labels = labels_of(&numbers[0][0], 5, 3);

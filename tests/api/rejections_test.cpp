@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/test_images.hpp"
 #include "rules/trained_cluster.hpp"
 #include "support/isa_tests.hpp"
 #include "support/made_image.hpp"
@@ -64,6 +65,7 @@ struct Operation {
   std::function<void(In, Out, How)> call;
   bool writes = true;
   bool works_in_place = true;
+  std::string source = "source", destination = "destination";  // as errors call them
 };
 
 constexpr HoleFilling kSmallHoles = {Connectivity::four, 3};
@@ -81,20 +83,27 @@ const std::vector<Operation>& operations() {
       {"fill_holes up to an area",
        [](In in, Out out, How how) { fill_holes(in, out, kSmallHoles, how); }},
       {"localise_objects, written",
-       [](In in, Out out, How how) { (void)localise_objects(in, {}, how, out); }},
-      {"binarise", [](In in, Out out, How how) { (void)binarise(in, out, {}, how); }},
+       [](In in, Out out, How how) { (void)localise_objects(in, {}, how, out); }, true, true,
+       "grey", "objects"},
+      {"binarise", [](In in, Out out, How how) { (void)binarise(in, out, {}, how); }, true, true,
+       "grey"},
       {"detect_edges",
        [](In in, Out out, How how) { detect_edges(EdgeOperator::sobel, in, out, {}, how); }, true,
        false},
-      {"localise_objects", [](In in, Out, How how) { (void)localise_objects(in, {}, how); }, false},
+      {"localise_objects", [](In in, Out, How how) { (void)localise_objects(in, {}, how); }, false,
+       false, "grey"},
       {"find_regions", [](In in, Out, How how) { (void)find_regions(in, how); }, false},
       {"find_objects", [](In in, Out, How how) { (void)find_objects(in, how); }, false},
       {"euler_number", [](In in, Out, How how) { (void)euler_number(in, Connectivity::four, how); },
        false},
-      {"skeleton_graph", [](In in, Out, How how) { (void)skeleton_graph(in, how); }, false},
-      {"full_blocks", [](In in, Out, How how) { (void)full_blocks(in, how); }, false},
-      {"classify_pixels", [](In in, Out out, How how) { classify_pixels(in, out, {}, how); },
-       false},
+      {"skeleton_graph", [](In in, Out, How how) { (void)skeleton_graph(in, how); }, false, false,
+       "skeleton"},
+      {"prune", [](In in, Out out, How how) { (void)prune(in, out, {}, how); }, true, true,
+       "skeleton"},
+      {"full_blocks", [](In in, Out, How how) { (void)full_blocks(in, how); }, false, false,
+       "image"},
+      {"classify_pixels", [](In in, Out out, How how) { classify_pixels(in, out, {}, how); }, false,
+       false, "image"},
   };
   return all;
 }
@@ -104,33 +113,34 @@ TEST(Operations, reject_invalid_sources) {
   for (const Operation& operation : operations()) {
     SCOPED_TRACE(operation.name);
     for (const auto& [source, part] : std::vector<std::pair<ConstImageView, std::string>>{
-             {{nullptr, 20, 10, 64}, "source has no data"},
-             {{from.data(), -1, 10, 64}, "source has the size -1 x 10"},
-             {{from.data(), 20, -10, 64}, "source has the size 20 x -10"},
-             {{from.data(), 20, 10, 19}, "source has a stride of 19 bytes, below its width of 20"},
+             {{nullptr, 20, 10, 64}, " has no data"},
+             {{from.data(), -1, 10, 64}, " has the size -1 x 10"},
+             {{from.data(), 20, -10, 64}, " has the size 20 x -10"},
+             {{from.data(), 20, 10, 19}, " has a stride of 19 bytes, below its width of 20"},
              {{from.data(), 20, 10, kHuge},
-              "source exceeds the address space: 20 x 10, stride 4611686018427387903"}}) {
+              " exceeds the address space: 20 x 10, stride 4611686018427387903"}}) {
       const ConstImageView in = source;
       const ImageView out = {to.data(), in.width, in.height, 64};
-      expect_rejected([&] { operation.call(in, out, {}); }, part);
+      expect_rejected([&] { operation.call(in, out, {}); }, operation.source + part);
     }
   }
 }
 
 TEST(Operations, reject_invalid_destinations_and_overlap_but_not_views_side_by_side) {
   Untouched from, to;
-  const std::string overlap = "source and destination overlap";
   const ConstImageView source = {from.data(), 20, 8, 64};
   for (const Operation& operation : operations()) {
     if (!operation.writes) continue;
     SCOPED_TRACE(operation.name);
+    const std::string& to_name = operation.destination;
+    const std::string overlap = operation.source + " and " + to_name + " overlap";
     const auto expect_call_rejected = [&](const ImageView& destination, const std::string& part) {
       expect_rejected([&] { operation.call(source, destination, {}); }, part);
     };
-    expect_call_rejected({nullptr, 20, 8, 64}, "destination has no data");
-    expect_call_rejected({to.data(), 20, 8, 19}, "destination has a stride of 19 bytes, below its");
-    expect_call_rejected({to.data(), 20, 9, 64},
-                         "source is 20 x 8 and destination 20 x 9; they must have the same size");
+    expect_call_rejected({nullptr, 20, 8, 64}, to_name + " has no data");
+    expect_call_rejected({to.data(), 20, 8, 19}, to_name + " has a stride of 19 bytes, below its");
+    expect_call_rejected({to.data(), 20, 9, 64}, operation.source + " is 20 x 8 and " + to_name +
+                                                     " 20 x 9; they must have the same size");
     for (const Index distance : {1, 19, 64 - 19, 64 + 19, 2 * 64}) {
       expect_call_rejected({from.data() + distance, 20, 8, 64}, overlap);
       const ConstImageView shifted = {from.data() + distance, 20, 8, 64};
@@ -146,6 +156,27 @@ TEST(Operations, reject_invalid_destinations_and_overlap_but_not_views_side_by_s
     if (!operation.works_in_place) continue;
     EXPECT_EQ(rejection_of([&] { operation.call(left, left, {}); }), "");
   }
+}
+
+TEST(Operations, work_in_place_on_one_row_or_one_image_whatever_the_strides_to_the_next) {
+  for (const Operation& operation : operations()) {
+    if (!operation.writes || !operation.works_in_place) continue;
+    ByteImage row = noise_image(20, 1, 60, 1, 3), expected(20, 1);
+    std::uint8_t* const data = row.view().data;
+    operation.call(row.view(), expected.view(), {});
+    const auto call = [&] { operation.call({data, 20, 1, 64}, {data, 20, 1, 20}, {}); };
+    EXPECT_EQ(rejection_of(call), "") << operation.name;
+    EXPECT_TRUE(equal(row.view(), expected.view())) << operation.name;
+  }
+  ByteImage image = filled_image(64, 8, 1);
+  std::uint8_t* const data = image.view().data;
+  const auto rejection = [](const StackView& source, const StackView& destination) {
+    return rejection_of([&] { thin_stack(Rule::guo_hall, source, destination); });
+  };
+  EXPECT_EQ(rejection({data, 1, 20, 8, 64, 512}, {data, 1, 20, 8, 64, 0}), "");
+  EXPECT_EQ(rejection({data, 1, 20, 1, 64, 512}, {data, 1, 20, 1, 20, 0}), "");
+  EXPECT_EQ(rejection({data, 8, 20, 1, 64, 64}, {data, 8, 20, 1, 20, 64}), "");
+  EXPECT_NE(rejection({data, 2, 20, 1, 64, 64}, {data, 2, 20, 1, 64, 128}), "");
 }
 
 /// Calls that are valid but for what a test gives them.
@@ -314,9 +345,10 @@ TEST(Labels, are_checked_and_nothing_is_written) {
        "life adds pixels, which would belong to no label; apply it to an image"},
       {[&] { label_regions(valid.left, narrow); }, "source is 20 x 8 and labels 19 x 8; they must"},
       {[&] { label_regions(bytes, to); }, "source and labels overlap"},
-      {[&] { label_values(to, to, Connectivity::eight); }, "source and destination overlap"},
+      {[&] { label_values(to, to, Connectivity::eight); }, "values and labels overlap"},
       {[&] { fill_holes_of_labels(row, row_before); }, "overlap without being the same image"},
-      {[&] { (void)graph_of_labels(nothing); }, "labels has no data"},
+      {[&] { (void)graph_of_labels(nothing); }, "skeletons has no data"},
+      {[&] { (void)prune_labels(row, row_before, {}); }, "skeletons and destination overlap"},
       {[&] { distances_of_labels(reals, valid.reals); }, "labels and distances overlap"},
   });
   EXPECT_EQ(valid.others, std::vector<std::int32_t>(160));
@@ -347,6 +379,8 @@ TEST(Thinning, rejects_options_wherever_they_are_given) {
           "border: expected background, keep or foreground, got " + std::to_string(border));
     }
   }
+  const auto inverted = [&] { thin(Rule::mb2, valid.left, valid.left, {Border::foreground}); };
+  EXPECT_EQ(rejection_of(inverted).substr(0, 12), "mb2: border:");
   EXPECT_TRUE(is_filled(valid.both.view(), 0x5A));
 }
 
@@ -589,8 +623,8 @@ TEST(Graphs, are_checked) {
       {widens({reals.data(), 2, 1}), "distances"},
       {[&] { (void)edge_widths(outside, of_image); },
        "distances: smaller than the image of the graph"},
-      {[&] { classify_pixels(image, in_place, {}); }, "overlap"},
-      {[&] { classify_pixels(image, classes, classes); }, "overlap"},
+      {[&] { classify_pixels(image, in_place, {}); }, "image and classes overlap"},
+      {[&] { classify_pixels(image, classes, classes); }, "classes and degrees overlap"},
   });
   for (const GraphPath& path :
        {GraphPath{0, {2}, {}}, GraphPath{0, {0}, {1}}, GraphPath{0, {0}, {0}, {}, 1},
@@ -616,7 +650,7 @@ TEST(Paths, need_places_with_room) {
        "start: at row 2, column 1 there is room for a width of 2, not of 3"},
       {finds({0, 0}, {0, 0}, -1), width + "-1"},
       {finds({0, 0}, {0, 0}, std::numeric_limits<double>::infinity()), width + "inf"},
-      {[&] { (void)find_path(negative, {}); }, "source has the size -1 x 8"},
+      {[&] { (void)find_path(negative, {}); }, "free has the size -1 x 8"},
   });
 }
 

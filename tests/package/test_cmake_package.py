@@ -102,6 +102,7 @@ int main() {{
 int main(void) {
   uint8_t image[5][7] = {{0}};
   image[1][2] = 9;
+  if (dilate(&image[0][0], 7, 5, 0) != THINBENCH_OK || image[1][3] != 0) return 1;
   return dilate(&image[0][0], 7, 5, 2) != THINBENCH_OK || image[3][4] != 255 || image[4][2] != 0;
 }
 """

@@ -40,9 +40,9 @@ struct GraphPlace {
   friend constexpr bool operator==(const GraphPlace&, const GraphPlace&) = default;
 };
 
-/// The pixel of an edge that is nearest to a point, the first with the least `distance`; x and y
-/// are numbers of columns and rows, the distance is in the unit of the spacing. Throws
-/// std::invalid_argument also for a graph without edges and for a point that is not finite.
+/// The pixel of an edge that is nearest to a point, the first with the least `distance` as a
+/// double; x and y are numbers of columns and rows, the distance is in the unit of the spacing.
+/// Throws std::invalid_argument also for a graph without edges and for a point that is not finite.
 [[nodiscard]] THINBENCH_API GraphPlace nearest_place(const Graph& graph, double x, double y,
                                                      const Spacing& spacing = {});
 

@@ -15,8 +15,8 @@ namespace thinbench {
 ///
 /// Returns the maximum number of iterations over all labels, including the last iteration, which
 /// changed nothing; 0 without labels. Threads share the labels.
-/// Takes about 50 bytes of memory per run of equal labels in a row, and per thread an image of the
-/// size of the largest label, which counts as at least 32 pixels wide.
+/// Takes up to 48 bytes of memory per run of equal labels in a row, 300 per label, and per thread
+/// an image of the size of the largest label, which counts as at least 32 pixels wide.
 ///
 /// Both views must have the same size and be the same image or share no pixel. Thread-safe for
 /// different destinations. Throws as thin() does, and std::invalid_argument for a rule that adds

@@ -23,6 +23,7 @@ struct Region {
   std::int32_t right = 0;  // inclusive, as is `bottom`
   std::int32_t bottom = 0;
   std::uint32_t enclosing_object = 0;  // for a hole the id of the object around it, else 0
+  std::uint32_t reserved = 0;
 
   friend bool operator==(const Region&, const Region&) = default;
 

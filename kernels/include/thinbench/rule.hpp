@@ -95,8 +95,8 @@ struct RuleOptions {
 };
 
 /// A rule: one or more sub-iterations, each of which computes all pixels from the same image, as
-/// tables of 3 x 3 pixels say (mb2 alone reads 5 x 5). Iterations end after one in which no
-/// sub-iteration changed a pixel, or at the limit.
+/// tables of 3 x 3 pixels say (mb2 alone reads 5 x 5). The last iteration is the first in which no
+/// sub-iteration changes a pixel, or the one at the limit.
 ///
 /// Tables are compiled to circuits when first used, which takes up to 20 ms per table, or 2 s if
 /// optimised; copies and, among the last 64, equal tables share what was compiled. Cheap to copy,

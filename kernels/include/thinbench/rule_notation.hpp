@@ -31,10 +31,10 @@ namespace thinbench {
 /// The table of Pillow's ImageMorph.LutBuilder(patterns).build_lut(), byte for byte. A pattern such
 /// as "4:(... .1. 111)->1" gives the result for all windows that match: 1 foreground, 0 background,
 /// "." or "X" either, in raster order. Before the colon: 1 (nothing), 4 (the four rotations too),
-/// M (mirrored too), N (with 0 and 1 exchanged, in the result too). Later patterns override earlier
-/// ones; a window without a match keeps its pixel. Whitespace is ignored. At most 1,000 patterns of
-/// 1,000 characters.
-/// Pillow's MorphOp also clears the outermost pixels of the image, which no table does.
+/// M (mirrored too), N (with 0 and 1 exchanged, in the result too), at least one of them, which
+/// Pillow does not require. Later patterns override earlier ones; a window without a match keeps
+/// its pixel. Whitespace is ignored. At most 1,000 patterns of 1,000 characters. Pillow's MorphOp
+/// also clears the outermost pixels of the image, which no table does.
 [[nodiscard]] THINBENCH_API WindowTable table_from_patterns(std::span<const std::string> patterns);
 
 /// Which pixel of the window each bit of a table's index is. Windows as in WindowTable:
