@@ -117,7 +117,8 @@ async function open({file, channel}) {
 
 function binarised(request, facts, warnings) {
   const source = greyImage(), binary = image(), foreground = allocate(8);
-  const options = struct(text(request.foreground), request.threshold, 0, request.offset, 0);
+  const offset = request.threshold === -2 ? request.offset : -1;
+  const options = struct(text(request.foreground), request.threshold, 0, offset, 0);
   call("binarise", source, binary, options, 0, foreground, foreground + 4);
   const mask = bytes(binary);
   let count = 0;
