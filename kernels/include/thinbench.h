@@ -619,7 +619,7 @@ typedef struct thinbench_pruning {
   double min_length; /* removes end branches below it */
   double min_widths; /* and below so many widths of the object at their junction */
   const thinbench_reals*
-      distances; /* of the image before it was thinned; not read without min_widths */
+      distances; /* of the image before it was thinned; may be NULL without min_widths */
   const thinbench_spacing* spacing; /* that of the distances and of min_length */
   int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
   int32_t reserved;

@@ -248,6 +248,15 @@ LOWEST = float(np.finfo(np.float32).min)
     (np.float32([7, 7]), "7.5", 0),
     (np.float64([-1.797e308, 3, 4]), "3.5", 1),
     (np.float64([-1e39, 3, 4]), "3.5", 1),
+    (np.float64([0, 1e39, 2e39]), "1.5e39", 1),
+    (np.float64([-1e300, -1e-300, 1e-300]), "0", 1),
+    (np.float64([1700000000, 1700000050, 1700000100.5]), "1700000050", 2),
+    (np.float64([20000000, 20000001, 20000002]), "20000001", 2),
+    (np.float32([0, 65535]), "-1", 2),
+    (np.uint32([0, 65535]), "65536", 0),
+    (np.uint32([0, 1, 2**32 - 1]), "4294967296", 0),
+    (np.int32([-5, 0, 5, 100000]), "0", 3),
+    (np.int8([-5, 0, 100]), "300", 0),
     (np.uint32([0, 99, 100, 131070]), "100", 2),
     (np.uint32([0, 99, 100, 131070]), "131070", 1),
     (np.uint32([3, 5]), "100000", 0),
@@ -274,12 +283,26 @@ def test_nodata_is_the_least_number(numbers: npt.NDArray[Any], least: int, tmp_p
     assert least < float(str(found["threshold"])) <= 90
 
 
+@pytest.mark.parametrize("numbers, text", [
+    *((np.array([-9999, 1000, 1000, 2000], kind), "-9999") for kind in (np.int16, np.int32, np.float32, np.float64)),
+    (np.float32([LOWEST, 1000.5, 1000, 2000]), "-3.40282346638529e+38"),
+    (np.float64([-np.finfo(float).max, 1000.5, 1000, 2000]), " -1.7976931348623157e+308 "),
+    (np.float32([np.nan, 1000.5, 1000, 2000]), "1000.#IND")])
+@pytest.mark.parametrize("threshold, bright", [("-20000", 3), ("0", 3), ("1", 3), ("1000", 3), ("1500", 1), ("2001", 0)])
+def test_nodata_is_below_any_threshold(numbers: npt.NDArray[Any], text: str, threshold: str, bright: int,
+                                       tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    path.write_bytes(row(numbers, more={NODATA: (TEXT, text.encode() + b"\0")}))
+    found: Any = facts(path, "--threshold", threshold, "--foreground", "bright")["objects"]
+    assert sum(part["area"] for part in found) == bright
+
+
 @pytest.mark.parametrize("data", [
     row(np.float32([-9999, -9999]), more={NODATA: (TEXT, b"-9999\0")}),
     row(np.float32([np.nan, np.nan])),
     row(np.int32([-9999, -9999]), more={NODATA: (TEXT, b"-9999\0")}),
     row(np.float32([1, 0, 2, 0]), 2, {EXTRA: (SHORT, [2])})], ids=["nodata", "NaN", "integers", "transparent"])
-@pytest.mark.parametrize("threshold", ["otsu", "0.5", "1e6"])
+@pytest.mark.parametrize("threshold", ["otsu", "-20000", "0", "0.5", "1e6"])
 def test_a_tile_without_numbers_has_no_objects(data: bytes, threshold: str, tmp_path: Path) -> None:
     (tmp_path / "a.tif").write_bytes(data)
     assert objects(tmp_path / "a.tif", "--threshold", threshold) == 0
@@ -293,6 +316,24 @@ def test_opacity_is_no_number_of_the_picture(kind: type, opaque: int, tmp_path: 
         found: Any = facts(path, "--threshold", threshold, "--foreground", "bright")["objects"]
         assert sum(part["area"] for part in found) == bright
     assert objects(path, "--channel", "alpha", "--threshold", "1", "--foreground", "bright") == 1
+
+
+@pytest.mark.parametrize("samples, threshold, bright", [
+    (np.float32([0, 0, 500, .25, 700, .75, 1000, 1]), ".5", 2),
+    (np.int16([-500, 0, -500, 1000, 900, 800, 3, 32767]), "800", 3),
+    (np.uint32([1, 0, 2, 100, 3, 128, 4, 255]), "128", 2),
+    (np.uint8([1, 0, 2, 100, 3, 128, 4, 255]), "128", 2)])
+def test_opacity_has_numbers_of_its_own(samples: npt.NDArray[Any], threshold: str, bright: int, tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    path.write_bytes(row(samples, 2, {EXTRA: (SHORT, [2]), NODATA: (TEXT, b"800\0")}))
+    found: Any = facts(path, "--channel", "alpha", "--threshold", threshold, "--foreground", "bright")["objects"]
+    assert sum(part["area"] for part in found) == bright
+
+
+def test_inks_are_not_signed(tmp_path: Path) -> None:
+    tags = of(5, 4, 8) | {FORMAT: (SHORT, [SIGNED] * 4)}
+    (tmp_path / "a.tif").write_bytes(tiff(2, 1, [bytes(8)], tags))
+    expect_rejected("holes a.tif", tmp_path, "its photometric interpretation 5 has signed samples")
 
 
 def test_one_negative_number_leaves_the_contrast(tmp_path: Path) -> None:
@@ -483,9 +524,9 @@ def test_colours_of_one_grey_level_are_told_apart_by_channel_auto(tmp_path: Path
 
 def test_one_grey_level_is_named_with_the_range_of_the_file(tmp_path: Path) -> None:
     Image.fromarray(np.full((5, 5), 480, np.uint16)).save(tmp_path / "a.png")
-    assert "the same grey level, 480 of 0 to 65535: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+    assert "the same grey level, 480: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
     Image.new("L", (5, 5), 200).save(tmp_path / "a.png")
-    assert "the same grey level, 200 of 0 to 255: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
+    assert "the same grey level, 200: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
 
 
 # Holes drawn in time that their number takes.

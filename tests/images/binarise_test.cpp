@@ -218,10 +218,10 @@ TEST(Remarks, name_the_choices_and_what_overrides_them_and_warn_of_images_of_one
       {rectangle(200, 40), bright_from(90), most + "dark takes the rest instead\n"},
       {rectangle(40, 200), dark_below(90), most + "bright takes the rest instead\n"},
       {rectangle(200, 40, {0, 0, 20, 30}), bright_from(90), ""},  // exactly half
-      {rectangle(77, 77), {}, same + "77 of 0 to 255: none is foreground\n"},
-      {ByteImage(9, 9), {}, same + "0 of 0 to 255: none is foreground\n"},
-      {rectangle(255, 255), {}, same + "255 of 0 to 255: none is foreground\n"},
-      {rectangle(77, 77), bright_from(70), same + "77 of 0 to 255: all of them are foreground\n"},
+      {rectangle(77, 77), {}, same + "77: none is foreground\n"},
+      {ByteImage(9, 9), {}, same + "0: none is foreground\n"},
+      {rectangle(255, 255), {}, same + "255: none is foreground\n"},
+      {rectangle(77, 77), bright_from(70), same + "77: all of them are foreground\n"},
   };
   for (const auto& [image, options, expected] : cases) {
     EXPECT_EQ(remarks(image, options), expected);

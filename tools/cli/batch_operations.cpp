@@ -26,8 +26,7 @@ constexpr const char* kGraph = "graph";
 /// What the record of every operation says of the input.
 void describe(const BinaryImage& binary, const BinariseOptions& options, BatchRecord& record) {
   record.foreground = std::string(foreground_name(binary.foreground));
-  if (!options.local)
-    record.threshold = options.threshold.value_or(binary.number_of(binary.threshold));
+  if (!options.local) record.threshold = binary.number();
   record.foreground_before = foreground_pixels(binary.image.view());
   std::vector<std::string> texts = warnings(binary, options);
   if (!record.warning.empty()) texts.insert(texts.begin(), record.warning);  // of the decoder

@@ -54,8 +54,7 @@ std::vector<std::vector<std::size_t>> holes_by_object(const Regions& found) {
 
 ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options) {
   if (options.local) return {binary.foreground, std::nullopt, "local"};
-  return {binary.foreground, options.threshold.value_or(binary.number_of(binary.threshold)),
-          options.threshold ? "given" : "otsu"};
+  return {binary.foreground, binary.number(), options.threshold ? "given" : "otsu"};
 }
 
 std::string regions_list(const Regions& found) {

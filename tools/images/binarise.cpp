@@ -34,9 +34,8 @@ std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& 
   if (binary.only_level) {
     const char* const what =
         binary.foreground_share > 0 ? "all of them are foreground" : "none is foreground";
-    return fmt::format("all pixels have the same grey level, {:.9g} of {:.9g} to {:.9g}: {}",
-                       binary.number_of(*binary.only_level), binary.number_of(0),
-                       binary.number_of(binary.range.empty() ? 255 : 65535), what);
+    return fmt::format("all pixels have the same grey level, {:.9g}: {}",
+                       binary.number_of(*binary.only_level), what);
   }
   const bool is_clear =
       binary.separation >= kMinSeparation || binary.undecided_share <= kMaxUndecided;
@@ -67,11 +66,11 @@ namespace {
 /// The level from which on the numbers of the file are at least `number`.
 int level_of(double number, const GreyImage& grey) {
   if (grey.boundary) return *grey.boundary;
-  const double level = std::ceil((number - grey.first) / grey.step);
+  const double level = std::ceil(number);
   if (level <= grey.highest()) return static_cast<int>(std::max(level, 0.0));
   throw std::invalid_argument(
-      fmt::format("--threshold: expected up to {:.9g}, the highest grey level, got {:.9g}",
-                  grey.first + grey.step * grey.highest(), number));
+      fmt::format("--threshold: expected up to {}, the highest grey level, got {:.9g}",
+                  grey.highest(), number));
 }
 
 /// In levels.
@@ -100,6 +99,7 @@ BinaryImage binarise(GreyImage grey, const BinariseOptions& options) {
   BinaryImage result;
   result.first = grey.first;
   result.step = grey.step;
+  result.given = options.threshold;
   if (grey.is_deep()) {
     ByteImage image(grey.width, grey.height);
     static_cast<Binarised&>(result) = binarise16(grey.deep_view(), image.view(), request);
@@ -178,8 +178,7 @@ std::string class_text(const BinaryImage& binary) {
     return fmt::format("{} (by the means of {} x {} pixels)", name, binary.window, binary.window);
   }
   const char* const relation = binary.foreground == Foreground::bright ? ">=" : "<";
-  return fmt::format("{} (grey level {} {:.9g})", name, relation,
-                     binary.number_of(binary.threshold));
+  return fmt::format("{} (grey level {} {:.9g})", name, relation, binary.number());
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {
@@ -204,7 +203,7 @@ GreyFile read_grey_file(FileBytes file, int page, const BinariseOptions& options
   std::string decoder_warning = std::move(pixels.warning);
   try {
     GreyChoice choice = options.grey;
-    choice.boundary = options.threshold;
+    choice.threshold = options.threshold;
     result.grey = grey_of(std::move(pixels), choice, result.channel, result.warning);
   } catch (const DecodeError& error) {
     throw FileError((name == kStandardStream ? "standard input" : name) + ": " + error.what());

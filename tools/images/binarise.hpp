@@ -29,11 +29,14 @@ struct BinariseOptions {
 
 /// A binary image, and what it was made from.
 struct BinaryImage : Binarised {
-  ByteImage image;             // 255 on foreground, 0 elsewhere
-  double first = 0, step = 1;  // what levels stand for, see GreyImage
-  std::string range = {};      // "16 bits, levels 480 to 733"; empty for 8 bits
+  ByteImage image;                             // 255 on foreground, 0 elsewhere
+  double first = 0, step = 1;                  // what levels stand for, see GreyImage
+  std::optional<double> given = std::nullopt;  // the threshold that was
+  std::string range = {};                      // "16 bits, levels 480 to 733"; empty for 8 bits
 
   [[nodiscard]] double number_of(int level) const { return first + step * level; }
+  /// The threshold, in the file's numbers.
+  [[nodiscard]] double number() const { return given.value_or(number_of(threshold)); }
 };
 
 /// A threshold for the whole image is doubtful where the classes overlap: where so large a share of
@@ -45,7 +48,7 @@ inline constexpr double kMaxUndecided = 0.05;
 inline constexpr double kMinSeparation = 0.8;
 
 /// The image, which has pixels, in two classes. Throws std::invalid_argument for a threshold above
-/// the levels that its kind of file has.
+/// the levels of 8 or 16 bits; numbers have no highest one.
 [[nodiscard]] BinaryImage binarise(GreyImage grey, const BinariseOptions& options = {});
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
 

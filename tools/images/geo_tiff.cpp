@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 namespace thinbench {
 namespace {
@@ -64,10 +65,15 @@ std::optional<GeoReference> geo_reference_of(const TiffHandle& tiff) {
 }
 
 std::optional<double> nodata_of(const TiffHandle& tiff) {
-  const std::span<const char> text = values_of<char>(tiff, kNodata);
+  const std::span<const char> value = values_of<char>(tiff, kNodata);
+  constexpr std::string_view blank(" \t\n\r\0", 5);
+  std::string_view text(value.data(), value.size());
+  text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
+  text = text.substr(0, text.find_last_not_of(blank) + 1);
   double number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc() ? std::optional(number) : std::nullopt;
+  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_number ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace thinbench

@@ -21,73 +21,116 @@ ByteImage adopted(Pixels& image) {
   return {{data, image.width, image.height}, [](void* memory) { detail::give_block(memory); }};
 }
 
-// Numbers of 32 bits become levels of 16.
+// Numbers become levels of 16 bits.
+
+/// A number as samples of T have it: 0.7 is equal to a float of 0.7, which is less by rounding.
+template <class T>
+double rounded(double number) {
+  if constexpr (!std::is_same_v<T, float>) return number;
+  const auto nearest = static_cast<float>(number);
+  return std::isinf(nearest) ? number : static_cast<double>(nearest);
+}
+
+/// Calls `work` with each sample of colours, and whether it is a number of the picture: neither NaN
+/// nor nodata nor transparent.
+template <class T, class Work>
+void for_each_colour(const Pixels& image, const Work& work) {
+  const int colours = image.channels - (image.has_opacity() ? 1 : 0);
+  const double none = image.nodata ? rounded<T>(*image.nodata) : std::nan("");
+  const T* pixel = image.samples_of_row<T>(0);
+  for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
+    const bool is_seen = colours == image.channels || pixel[colours] > 0;
+    for (int k = 0; k < colours; ++k) {
+      const auto number = static_cast<double>(pixel[k]);
+      work(i * image.channels + k, number, is_seen && number != none && !std::isnan(number));
+    }
+  }
+}
 
 struct Numbers {
   double lowest = HUGE_VAL;
   double highest = -HUGE_VAL;
   bool are_levels = true;  // whole, of 16 bits
 
-  void add(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-    are_levels = are_levels && value >= 0 && value <= 65535 && value == std::floor(value);
+  template <class T>
+  void add(T value) {
+    const auto number = static_cast<double>(value);
+    lowest = std::min(lowest, number);
+    highest = std::max(highest, number);
+    if constexpr (sizeof(T) > 2)
+      are_levels = are_levels && number >= 0 && number <= 65535 && number == std::floor(number);
   }
 };
 
-/// Of the colours where they are seen, and the boundary.
 template <class T>
-Numbers numbers_of(const Pixels& image, std::optional<T> boundary) {
+Numbers numbers_of(const Pixels& image) {
   Numbers numbers;
-  const T* pixel = image.samples_of_row<T>(0);
-  const int colours = image.channels - (image.has_opacity() ? 1 : 0);
-  for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
-    if (colours < image.channels && !(pixel[colours] > 0)) continue;
-    for (int k = 0; k < colours; ++k) {
-      if (const auto value = static_cast<double>(pixel[k]); !std::isnan(value)) numbers.add(value);
-    }
-  }
-  if (numbers.lowest > numbers.highest) numbers.add(0);  // there is none
+  for_each_colour<T>(image, [&](Index, double number, bool counts) {
+    if (counts) numbers.add(static_cast<T>(number));
+  });
+  if (numbers.lowest > numbers.highest) numbers.add(T{});  // there is none
   if (!std::isfinite(numbers.highest - numbers.lowest))
     throw DecodeError("it has infinite numbers");
-  if (boundary) numbers.add(static_cast<double>(*boundary));
   return numbers;
 }
 
-/// Levels that are numbers remain; what is not a number counts as the lowest.
-template <class T>
+/// Levels of numbers: whole ones that fit remain, others are rounded. With a threshold, the levels
+/// from `boundary` on are those of the numbers from the threshold on, and there is a lower level.
 class Scale {
  public:
-  Scale(const Numbers& numbers, std::optional<T> boundary) {
-    if (numbers.are_levels) return;
-    first_ = numbers.lowest;
-    if (numbers.highest > numbers.lowest) step_ = (numbers.highest - numbers.lowest) / 65535;
-    if (!boundary) return;
-    step_ *= 65535.0 / 65533;  // for a level below the boundary and one that it begins
-    const auto zero = static_cast<double>(*boundary);
-    level_of_zero_ = std::floor((zero - first_) / step_) + 1;
-    zero_ = zero;
-    first_ = zero - step_ * level_of_zero_;
+  Scale(const Numbers& numbers, std::optional<double> threshold) {
+    const auto [lowest, highest, are_levels] = numbers;
+    if (are_levels) {
+      zero_ = std::min(lowest, 0.0);
+      const double from = threshold ? std::ceil(*threshold) : zero_;
+      if (from <= zero_ && threshold) zero_ -= 1;
+      half_ = 0;
+      if (threshold) boundary_ = std::clamp(from - zero_, 1.0, highest - zero_ + 1);
+    }
+    if (!are_levels || std::max(highest - zero_, boundary_) > kHighest) round(numbers, threshold);
+    lowest_ = level(lowest);
   }
 
-  [[nodiscard]] double first() const { return first_; }
+  [[nodiscard]] double first() const { return zero_ - step_ * base_; }
   [[nodiscard]] double step() const { return step_; }
-  /// The lowest level of numbers from the boundary on.
-  [[nodiscard]] std::optional<int> boundary() const {
-    return zero_ ? std::optional(static_cast<int>(level_of_zero_)) : std::nullopt;
+  [[nodiscard]] int boundary() const { return static_cast<int>(boundary_); }
+  [[nodiscard]] std::uint16_t level(double number) const {
+    double level = std::floor((number - zero_) / step_ + half_) + base_;
+    if (number < zero_) level = std::min(level, base_ - 1);  // however little it is
+    return static_cast<std::uint16_t>(std::clamp(level, 0.0, kHighest));
   }
-  [[nodiscard]] std::uint16_t level(T value) const {
-    const auto number = static_cast<double>(value);
-    const double level = zero_ ? std::floor((number - *zero_) / step_) + level_of_zero_
-                               : std::round((number - first_) / step_);
-    return level >= 0 ? static_cast<std::uint16_t>(std::min(level, 65535.0)) : std::uint16_t{0};
+  /// Of what is no number: the least, and below any threshold.
+  [[nodiscard]] std::uint16_t none() const {
+    return boundary_ > 0 ? std::min(lowest_, static_cast<std::uint16_t>(boundary_ - 1)) : lowest_;
   }
 
  private:
-  double first_ = 0;
+  static constexpr double kHighest = 65535;
+
+  void round(const Numbers& numbers, std::optional<double> threshold) {
+    const auto& [lowest, highest, are_levels] = numbers;
+    const bool is_low = threshold && *threshold <= lowest;
+    const bool is_high = threshold && *threshold > highest;
+    const double steps = !threshold ? kHighest : is_low || is_high ? kHighest - 1 : kHighest - 2;
+    if (highest > lowest)
+      step_ = std::max((highest - lowest) / steps, std::numeric_limits<double>::denorm_min());
+    zero_ = lowest;
+    half_ = 0.5;
+    base_ = is_low ? 1 : 0;
+    boundary_ = is_low ? 1 : is_high ? kHighest : 0;
+    if (!threshold || is_low || is_high) return;
+    zero_ = *threshold;
+    half_ = 0;
+    base_ = boundary_ = std::floor((*threshold - lowest) / step_) + 1;
+  }
+
+  // The level of a number is that of `zero_`, `base_`, and the number of steps from there.
+  double zero_ = 0;
+  double base_ = 0;
   double step_ = 1;
-  std::optional<double> zero_;  // the boundary, at which a level begins
-  double level_of_zero_ = 0;
+  double half_ = 0;      // to round to the nearest
+  double boundary_ = 0;  // 0: there is none
+  std::uint16_t lowest_ = 0;
 };
 
 /// Opacity becomes levels of which 65535 is opaque, as is the greatest opacity of the image.
@@ -105,29 +148,19 @@ void convert_opacity(const Pixels& image, const Pixels& levels) {
   }
 }
 
-/// What samples are compared with: 0.7 is equal to a sample of 0.7, though that is less by
-/// rounding.
 template <class T>
-T nearest(double number) {
-  using Limits = std::numeric_limits<T>;
-  const double whole = std::is_integral_v<T> ? std::ceil(number) : number;
-  return static_cast<T>(
-      std::clamp(whole, static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())));
-}
-
-template <class T>
-Pixels in_levels(const Pixels& image, std::optional<double> number, GreyImage& grey) {
-  std::optional<T> boundary;
-  if (number) boundary = nearest<T>(*number);
-  const Scale<T> scale(numbers_of<T>(image, boundary), boundary);
+Pixels in_levels(const Pixels& image, std::optional<double> threshold, GreyImage& grey) {
+  if (threshold) threshold = rounded<T>(*threshold);
+  const Scale scale(numbers_of<T>(image), threshold);
   Pixels levels = make_pixels(image.width, image.height, image.channels, SampleKind::u16);
-  const T* const from = image.samples_of_row<T>(0);
-  std::transform(from, from + image.samples(), levels.samples_of_row<std::uint16_t>(0),
-                 [&scale](T value) { return scale.level(value); });
+  std::uint16_t* const to = levels.samples_of_row<std::uint16_t>(0);
+  for_each_colour<T>(image, [&](Index i, double number, bool counts) {
+    to[i] = counts ? scale.level(number) : scale.none();
+  });
   if (image.has_opacity()) convert_opacity<T>(image, levels);
   grey.first = scale.first();
   grey.step = scale.step();
-  grey.boundary = scale.boundary();
+  if (threshold) grey.boundary = scale.boundary();
   levels.is_premultiplied = image.is_premultiplied;
   levels.shows_black = image.shows_black;
   return levels;
@@ -141,17 +174,11 @@ std::uint64_t white(const Pixels& image) {
   return image.highest > 0 ? image.highest : kMax<T>;
 }
 
-/// The opacity of what is opaque.
-template <class T>
-std::uint64_t opaque(const Pixels& image) {
-  return image.opaque > 0 ? image.opaque : white<T>(image);
-}
-
 template <class T>
 bool has_transparent_pixels(const Pixels& image) {
   const T* const all = image.samples_of_row<T>(0);
   for (Index i = image.channels - 1; i < image.samples(); i += image.channels) {
-    if (all[i] < opaque<T>(image)) return true;
+    if (all[i] < white<T>(image)) return true;
   }
   return false;
 }
@@ -159,7 +186,7 @@ bool has_transparent_pixels(const Pixels& image) {
 template <class T>
 void flatten(const Pixels& image, Backdrop backdrop) {
   T* pixel = image.samples_of_row<T>(0);
-  const std::uint64_t most = opaque<T>(image);
+  const std::uint64_t most = white<T>(image);
   const int colours = image.channels - 1;
   for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
     const std::uint64_t opacity = std::min<std::uint64_t>(pixel[colours], most);
@@ -186,7 +213,7 @@ Pixels one_channel(const Pixels& image, int channel) {
 
 template <class T>
 std::string opacity_warning(const Pixels& image, const GreyChoice& choice) {
-  if (choice.opacity || choice.backdrop || !has_transparent_pixels<T>(image)) return {};
+  if (choice.backdrop || !has_transparent_pixels<T>(image)) return {};
   return std::string("the image is transparent in places; ") +
          (image.shows_black ? "there it counts as black"
                             : "the colours stored there count as if it were opaque") +
@@ -206,8 +233,7 @@ bool is_even(const Pixels& image) {
 }
 
 template <class T>
-Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
-  if (choice.opacity) return one_channel<T>(image, image.channels - 1);
+Pixels channel_of(Pixels image, Channel& channel, std::string& warning) {
   if (image.channels <= 2) channel = Channel::grey;
   if (image.channels == 1) return image;
   if (image.channels == 2) return one_channel<T>(image, 0);
@@ -229,16 +255,13 @@ Pixels channel_of(Pixels image, const GreyChoice& choice, Channel& channel, std:
 
 template <class T>
 Pixels levels_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
-  if (choice.opacity && !image.has_opacity()) {
-    throw DecodeError("--channel alpha: it has no transparency");
-  }
   if (image.has_opacity()) {
     warning = opacity_warning<T>(image, choice);
     const Backdrop backdrop =
         choice.backdrop.value_or(image.shows_black ? Backdrop::black : Backdrop::as_stored);
-    if (!choice.opacity && backdrop != Backdrop::as_stored) flatten<T>(image, backdrop);
+    if (backdrop != Backdrop::as_stored) flatten<T>(image, backdrop);
   }
-  return channel_of<T>(std::move(image), choice, channel, warning);
+  return channel_of<T>(std::move(image), channel, warning);
 }
 
 Pixels cropped(Pixels image, const Crop& crop) {
@@ -255,11 +278,17 @@ Pixels cropped(Pixels image, const Crop& crop) {
   return part;
 }
 
+Pixels opacity_of(const Pixels& image) {
+  if (!image.has_opacity()) throw DecodeError("--channel alpha: it has no transparency");
+  return for_type(image.kind, [&](auto sample) {
+    return one_channel<decltype(sample)>(image, image.channels - 1);
+  });
+}
+
 }  // namespace
 
 GreyImage grey_of(Pixels image, const GreyChoice& choice, Channel& channel, std::string& warning) {
   GreyImage grey;
-  grey.first = image.first;
   grey.place = image.place;
   if (grey.place && choice.crop.height > 0) {
     auto& [a, b, c, d, e, f] = grey.place->transform;
@@ -267,8 +296,12 @@ GreyImage grey_of(Pixels image, const GreyChoice& choice, Channel& channel, std:
     c += a * x + b * y;
     f += d * x + e * y;
   }
-  if (image.kind == SampleKind::u32) image = in_levels<std::uint32_t>(image, choice.boundary, grey);
-  if (image.kind == SampleKind::f32) image = in_levels<float>(image, choice.boundary, grey);
+  if (choice.opacity) image = opacity_of(image);
+  if (image.kind >= SampleKind::i8) {
+    image = for_type(image.kind, [&](auto sample) {
+      return in_levels<decltype(sample)>(image, choice.threshold, grey);
+    });
+  }
   const bool is_deep = image.kind == SampleKind::u16;
   image = is_deep ? levels_of<std::uint16_t>(std::move(image), choice, channel, warning)
                   : levels_of<std::uint8_t>(std::move(image), choice, channel, warning);

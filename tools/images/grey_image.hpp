@@ -27,8 +27,8 @@ struct GreyChoice {
   std::optional<Backdrop> backdrop = std::nullopt;  // unset: by the format
   Crop crop = {};
   double blur = 0;  // standard deviation of a Gaussian filter, in pixels; 0: none
-  /// Where numbers are rounded to levels, those below this one get lower levels than the others.
-  std::optional<double> boundary = std::nullopt;
+  /// Numbers below this one get lower levels than the others.
+  std::optional<double> threshold = std::nullopt;
 };
 
 /// Grey levels, and what they stand for in the file: first + step * level.
@@ -39,7 +39,7 @@ struct GreyImage {
   Index height = 0;
   double first = 0;
   double step = 1;
-  std::optional<int> boundary = std::nullopt;  // the lowest level above GreyChoice::boundary
+  std::optional<int> boundary = std::nullopt;  // the level at which GreyChoice::threshold begins
   std::optional<GeoReference> place = std::nullopt;
 
   GreyImage() = default;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <initializer_list>
 #include <new>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,12 +18,18 @@ namespace {
 
 template <class T>
 LabelPixels labels_of(const Pixels& image, const std::string& path) {
-  const T* const all = image.samples_of_row<T>(0);
-  if (std::any_of(all, all + image.samples(), [](T v) { return v > std::uint32_t{INT32_MAX}; })) {
-    cannot_read(path, "labels go up to 2^31 - 1, and it has greater ones");
+  if constexpr (!std::is_integral_v<T>) {
+    cannot_read(path, "labels are whole numbers, and it has real ones");
+  } else {
+    const T* const all = image.samples_of_row<T>(0);
+    const auto [least, greatest] = std::minmax_element(all, all + image.samples());
+    if (std::cmp_less(*least, 0))
+      cannot_read(path, "labels are not negative, and it has negative numbers");
+    if (std::cmp_greater(*greatest, INT32_MAX))
+      cannot_read(path, "labels go up to 2^31 - 1, and it has greater ones");
+    return {image.width, image.height, std::vector<std::int32_t>(all, all + image.samples()),
+            image.place};
   }
-  return {image.width, image.height, std::vector<std::int32_t>(all, all + image.samples()),
-          image.place};
 }
 
 }  // namespace
@@ -33,17 +40,8 @@ LabelPixels read_labels(const FileBytes& file) {
   if (image.channels != 1) {
     cannot_read(path, fmt::format("labels are one channel, and it has {}", image.channels));
   }
-  if (image.kind == SampleKind::f32)
-    cannot_read(path, "labels are whole numbers, and it has real ones");
-  if (image.first < 0) cannot_read(path, "labels are not negative, and it has negative numbers");
-  switch (image.kind) {
-    case SampleKind::u16:
-      return labels_of<std::uint16_t>(image, path);
-    case SampleKind::u32:
-      return labels_of<std::uint32_t>(image, path);
-    default:
-      return labels_of<std::uint8_t>(image, path);
-  }
+  return for_type(image.kind,
+                  [&](auto sample) { return labels_of<decltype(sample)>(image, path); });
 }
 
 ByteImage read_grey(const std::string& path, int page) {

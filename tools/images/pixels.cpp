@@ -148,8 +148,8 @@ Pixels turned(Pixels image, int orientation) {
   Pixels to = make_pixels(orientation < 5 ? image.width : image.height,
                           orientation < 5 ? image.height : image.width, image.channels, image.kind);
   const Steps steps = steps_of(image.width, image.height, orientation);
-  for_size<1, 2, 3, 4, 6, 8, 12, 16>(image.channels * sample_bytes(image.kind),
-                                     [&](auto bytes) { turn<bytes()>(image, to, steps); });
+  for_size<1, 2, 3, 4, 6, 8, 12, 16, 24, 32>(image.channels * sample_bytes(image.kind),
+                                             [&](auto bytes) { turn<bytes()>(image, to, steps); });
   std::swap(image.bytes, to.bytes);
   std::swap(image.width, to.width);
   std::swap(image.height, to.height);

@@ -21,12 +21,39 @@ enum class SampleKind : std::uint8_t {
   bit,  // eight in a byte, the first in its highest bit
   u8,
   u16,
+  i8,  // from here on numbers, not levels
+  i16,
   u32,
-  f32
+  i32,
+  f32,
+  f64
 };
 
-[[nodiscard]] constexpr Index sample_bytes(SampleKind kind) {
-  return kind <= SampleKind::u8 ? 1 : kind == SampleKind::u16 ? 2 : 4;
+/// Calls `work` with a sample of the type that a kind other than `bit` has.
+template <class Work>
+auto for_type(SampleKind kind, const Work& work) {
+  switch (kind) {
+    case SampleKind::u16:
+      return work(std::uint16_t{});
+    case SampleKind::i8:
+      return work(std::int8_t{});
+    case SampleKind::i16:
+      return work(std::int16_t{});
+    case SampleKind::u32:
+      return work(std::uint32_t{});
+    case SampleKind::i32:
+      return work(std::int32_t{});
+    case SampleKind::f32:
+      return work(float{});
+    case SampleKind::f64:
+      return work(double{});
+    default:
+      return work(std::uint8_t{});
+  }
+}
+
+[[nodiscard]] inline Index sample_bytes(SampleKind kind) {
+  return for_type(kind, [](auto sample) { return Index{sizeof(sample)}; });
 }
 
 /// Where the pixels of a map lie: x' = a x + b y + c, y' = d x + e y + f from the corner of the
@@ -44,11 +71,10 @@ struct Pixels {
   SampleKind kind = SampleKind::u8;
   detail::AlignedArray<std::uint8_t> bytes = nullptr;
   std::uint32_t highest = 0;      // what samples reach, such as 4095; 0: what their kind holds
-  std::uint32_t opaque = 0;       // the opacity of what is opaque; 0: `highest`
-  double first = 0;               // what a sample of 0 stands for: signed samples begin lower
   bool is_premultiplied = false;  // colours are multiplied by the opacity
   bool shows_black = false;       // where transparent, unless the user wants otherwise
-  std::string warning = {};       // of the decoder
+  std::optional<double> nodata = std::nullopt;  // the number that stands for none
+  std::string warning = {};                     // of the decoder
   std::optional<GeoReference> place = std::nullopt;
 
   [[nodiscard]] bool has_opacity() const { return channels % 2 == 0; }

@@ -169,6 +169,10 @@ void check_samples(const Layout& layout) {
     throw DecodeError(fmt::format("its photometric interpretation {} has {} bits",
                                   layout.photometric, layout.bits));
   }
+  if (layout.is_signed() && !is_plain) {
+    throw DecodeError(
+        fmt::format("its photometric interpretation {} has signed samples", layout.photometric));
+  }
 }
 
 /// All strips or tiles lie in the file and have the least that their pixels take.
@@ -205,20 +209,10 @@ void unpack_bits(const std::uint8_t* from, Index count, std::uint8_t* to) {
 /// Samples of a row, the first in the highest bits, as numbers.
 template <class T>
 void unpack(const std::uint8_t* from, Index count, int bits, T* to) {
-  if constexpr (sizeof(T) == 1) {
+  if constexpr (std::is_same_v<T, std::uint8_t>) {
     if (bits == 1) return unpack_bits(from, count, to);
   }
-  if (bits == 64) {
-    for (Index i = 0; i < count; ++i) {
-      double value = 0;
-      std::memcpy(&value, from + 8 * i, 8);
-      if constexpr (std::is_same_v<T, float>) {  // finite numbers remain finite
-        constexpr double most = std::numeric_limits<float>::max();
-        if (std::isfinite(value)) value = std::clamp(value, -most, most);
-      }
-      to[i] = static_cast<T>(value);
-    }
-  } else if (bits == 8 * static_cast<int>(sizeof(T))) {
+  if (bits == 8 * static_cast<int>(sizeof(T))) {
     std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(T));
   } else {
     std::uint32_t window = 0;
@@ -260,19 +254,9 @@ class BlockReader {
     const Index columns = std::min(layout_.block_width, layout_.width - x);
     for (Index row = 0; row < rows; ++row) {
       const std::uint8_t* const from = buffer_.data() + row * layout_.block_row_bytes();
-      switch (image.kind) {
-        case SampleKind::u8:
-          place<std::uint8_t>(from, columns, image, x, y + row, plane);
-          break;
-        case SampleKind::u16:
-          place<std::uint16_t>(from, columns, image, x, y + row, plane);
-          break;
-        case SampleKind::u32:
-          place<std::uint32_t>(from, columns, image, x, y + row, plane);
-          break;
-        default:
-          place<float>(from, columns, image, x, y + row, plane);
-      }
+      for_type(image.kind, [&](auto sample) {
+        place<decltype(sample)>(from, columns, image, x, y + row, plane);
+      });
     }
   }
 
@@ -376,31 +360,6 @@ void set_levels(const Pixels& image, std::uint32_t max, bool is_white_first) {
   for_each_sample<std::uint8_t>(image, [&](std::uint8_t v) { return levels[v]; });
 }
 
-/// Signed samples become unsigned ones that begin at the lowest number, or at 0 where none is
-/// negative. Numbers that stand for nothing or are transparent count as the lowest.
-template <class T, class Signed>
-void make_unsigned(Pixels& image, std::optional<double> nodata) {
-  const int opacity = image.has_opacity() ? image.channels - 1 : image.channels;
-  if (image.has_opacity()) image.opaque = std::numeric_limits<Signed>::max();
-  const auto for_each = [&](const auto& work) {
-    Signed* pixel = image.samples_of_row<Signed>(0);
-    for (Index i = 0; i < image.width * image.height; ++i, pixel += image.channels) {
-      const bool is_seen = opacity == image.channels || pixel[opacity] > 0;
-      for (int k = 0; k < opacity; ++k) work(pixel[k], is_seen && pixel[k] != nodata);
-      if (opacity < image.channels) pixel[opacity] = std::max(pixel[opacity], Signed{0});
-    }
-  };
-  std::int64_t lowest = 0;
-  for_each(
-      [&](Signed v, bool counts) { lowest = counts ? std::min<std::int64_t>(lowest, v) : lowest; });
-  if (sizeof(T) == 4 && lowest < 0)
-    throw DecodeError("it has negative numbers of 32 bits, which are not read");
-  image.first = static_cast<double>(lowest);
-  for_each([&](Signed& v, bool counts) {
-    v = static_cast<Signed>(static_cast<T>(counts ? v - lowest : 0));
-  });
-}
-
 std::vector<PaletteColour> palette_of(const TiffHandle& tiff, int bits) {
   std::array<std::uint16_t*, 3> maps{};
   if (TIFFGetField(tiff.get(), TIFFTAG_COLORMAP, &maps[0], &maps[1], &maps[2]) != 1) {
@@ -439,21 +398,8 @@ Pixels without_inks(const Pixels& inks) {
   return image;
 }
 
-/// Numbers that stand for nothing are none.
-void forget(const Pixels& image, double nodata) {
-  const auto none = static_cast<float>(nodata);
-  for_each_sample<float>(image, [none](float v) { return v == none ? std::nanf("") : v; });
-}
-
 /// What the stored samples mean.
-Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout,
-                   std::optional<double> nodata, bool as_stored) {
-  if (layout.is_signed() && image.kind == SampleKind::u8)
-    make_unsigned<std::uint8_t, std::int8_t>(image, nodata);
-  if (layout.is_signed() && image.kind == SampleKind::u16)
-    make_unsigned<std::uint16_t, std::int16_t>(image, nodata);
-  if (layout.is_signed() && image.kind == SampleKind::u32)
-    make_unsigned<std::uint32_t, std::int32_t>(image, nodata);
+Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout, bool as_stored) {
   const bool is_white_first = layout.photometric == kMinIsWhite;
   if (is_white_first && as_stored) {
     throw DecodeError("labels need 0 as black, and its 0 is white");
@@ -461,7 +407,7 @@ Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout,
   if (as_stored) return image;
   if (layout.photometric == PHOTOMETRIC_PALETTE)
     return through_palette(image, palette_of(tiff, layout.bits));
-  if (layout.bits > 16) return image;
+  if (image.kind >= SampleKind::i8) return image;
   const std::uint32_t max = (1U << layout.bits) - 1;
   if (image.kind == SampleKind::u8 && (layout.bits < 8 || is_white_first)) {
     set_levels(image, max, is_white_first);
@@ -476,8 +422,12 @@ Pixels interpreted(Pixels image, const TiffHandle& tiff, const Layout& layout,
 }
 
 SampleKind kind_of(const Layout& layout) {
-  if (layout.is_real()) return SampleKind::f32;
-  return layout.bits <= 8 ? SampleKind::u8 : layout.bits <= 16 ? SampleKind::u16 : SampleKind::u32;
+  const auto of_size = [&](auto... kinds) {
+    return std::array{kinds...}[layout.bits <= 8 ? 0U : layout.bits <= 16 ? 1U : 2U];
+  };
+  if (layout.is_real()) return layout.bits == 32 ? SampleKind::f32 : SampleKind::f64;
+  return layout.is_signed() ? of_size(SampleKind::i8, SampleKind::i16, SampleKind::i32)
+                            : of_size(SampleKind::u8, SampleKind::u16, SampleKind::u32);
 }
 
 void open_page(TiffHandle& tiff, int page) {
@@ -558,9 +508,8 @@ Pixels decode_tiff(std::string_view bytes, const Decoding& request) {
   }
   check_samples(layout);
   Pixels image = stored(tiff, layout, kind_of(layout), request.lenient);
-  const std::optional<double> nodata = request.as_stored ? std::nullopt : nodata_of(tiff);
-  if (nodata && image.kind == SampleKind::f32) forget(image, *nodata);
-  image = interpreted(std::move(image), tiff, layout, nodata, request.as_stored);
+  image = interpreted(std::move(image), tiff, layout, request.as_stored);
+  image.nodata = nodata_of(tiff);
   if (layout.bits > 8 && layout.bits < 16) image.highest = (1U << layout.bits) - 1;
   image.shows_black = layout.has_opacity();
   image.is_premultiplied = layout.opacity == EXTRASAMPLE_ASSOCALPHA;
