@@ -85,6 +85,14 @@ Binarisation request_for(const GreyImage& grey, const BinariseOptions& options) 
   return request;
 }
 
+/// For a threshold above all levels of 8 bits.
+void widen(GreyImage& grey) {
+  grey.deep =
+      detail::make_uninitialised<std::uint16_t>(static_cast<std::size_t>(grey.width * grey.height));
+  for (Index y = 0; y < grey.height; ++y)
+    std::copy_n(grey.bytes.view().row(y), grey.width, grey.deep_view().row(y));
+}
+
 std::string range_text(const GreyImage& grey, const LevelRange& range) {
   const auto number = [&](int level) { return grey.first + grey.step * level; };
   return fmt::format("16 bits, levels {:.9g} to {:.9g}", number(range.lowest),
@@ -94,6 +102,7 @@ std::string range_text(const GreyImage& grey, const LevelRange& range) {
 }  // namespace
 
 BinaryImage binarise(GreyImage grey, const BinariseOptions& options) {
+  if (grey.boundary > grey.highest()) widen(grey);
   const LevelRange range = grey.is_deep() ? range_of(grey) : LevelRange{0, 255};
   const Binarisation request = request_for(grey, options);
   BinaryImage result;

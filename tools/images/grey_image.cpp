@@ -349,8 +349,7 @@ GreyImage copy_of(const GreyImage& image) {
 
 GreyImage in_bytes(GreyImage image) {
   if (!image.is_deep()) return image;
-  const auto highest =
-      static_cast<unsigned>(std::max(range_of(image).highest, image.boundary.value_or(0)));
+  const auto highest = static_cast<unsigned>(range_of(image).highest);
   const int shift = std::max(0, static_cast<int>(std::bit_width(highest)) - 8);
   image.bytes = ByteImage(image.width, image.height);
   for (Index y = 0; y < image.height; ++y) {
@@ -361,7 +360,7 @@ GreyImage in_bytes(GreyImage image) {
   }
   image.deep.reset();
   image.step *= 1 << shift;
-  if (image.boundary) image.boundary = std::min((*image.boundary + (1 << shift) - 1) >> shift, 255);
+  if (image.boundary) image.boundary = std::min((*image.boundary + (1 << shift) - 1) >> shift, 256);
   return image;
 }
 
