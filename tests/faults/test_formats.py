@@ -336,6 +336,13 @@ def test_inks_are_not_signed(tmp_path: Path) -> None:
     expect_rejected("holes a.tif", tmp_path, "its photometric interpretation 5 has signed samples")
 
 
+@pytest.mark.parametrize("command", ["edges", "localise", "holes"])
+def test_a_threshold_above_all_levels_of_8_bits_is_read(command: str, tmp_path: Path) -> None:
+    (tmp_path / "a.tif").write_bytes(row(np.arange(256, dtype=np.int16)))
+    out = ["b.png"] if command == "edges" else []
+    assert run(["thinbench", command, "a.tif", *out, "--threshold", "300"], tmp_path).status == 0
+
+
 def test_one_negative_number_leaves_the_contrast(tmp_path: Path) -> None:
     for name, lowest in (("a", 0), ("b", -1)):
         levels = two_parts(20, 250, 250).astype(np.int16)

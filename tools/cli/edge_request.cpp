@@ -31,7 +31,7 @@ EdgeThresholds prepare_for_edges(ByteImage& grey, const BinaryImage& binary,
                                  const EdgeRequest& request) {
   const bool is_bright = binary.foreground == Foreground::bright;
   if (is_bright) invert(grey);
-  const int highest = is_bright ? 255 - binary.threshold : std::max(binary.threshold - 1, 0);
+  const int highest = std::max(is_bright ? 255 - binary.threshold : binary.threshold - 1, 0);
   return {request.gradient_threshold, request.brightness_threshold.value_or(highest)};
 }
 
