@@ -273,14 +273,15 @@ def test_thresholds_are_numbers_of_the_file(numbers: npt.NDArray[Any], threshold
 
 
 @pytest.mark.parametrize("numbers, least", [
-    (np.float32([-9999, 5.5, 6, 90]), 6), (np.int16([-9999, -3, 6, 90]), 6), (np.int32([-9999, 5, 6, 90]), 6)])
+    (np.float32([-9999, 5.5, 6, 90]), 6), (np.int16([-9999, -3, 6, 90]), 6), (np.int32([-9999, 5, 6, 90]), 6),
+    (np.float64([-9999] * 6 + [1000, 1200]), 1000), (np.int16([-9999] * 6 + [1000, 1200]), 1000)])
 def test_nodata_is_the_least_number(numbers: npt.NDArray[Any], least: int, tmp_path: Path) -> None:
     path = tmp_path / "a.tif"
     path.write_bytes(row(numbers, more={NODATA: (TEXT, b"-9999\0")}))
     found = facts(path)
     parts: Any = found["objects"]
     assert (sum(part["area"] for part in parts), "bright" in str(found["foreground"])) == (1, True)
-    assert least < float(str(found["threshold"])) <= 90
+    assert least < float(str(found["threshold"])) <= numbers[-1]
 
 
 @pytest.mark.parametrize("numbers, text", [
@@ -529,7 +530,7 @@ def test_colours_of_one_grey_level_are_told_apart_by_channel_auto(tmp_path: Path
     assert "--channel" not in str(facts(tmp_path / "a.png")["remarks"])
 
 
-def test_one_grey_level_is_named_with_the_range_of_the_file(tmp_path: Path) -> None:
+def test_one_grey_level_is_named_as_the_file_has_it(tmp_path: Path) -> None:
     Image.fromarray(np.full((5, 5), 480, np.uint16)).save(tmp_path / "a.png")
     assert "the same grey level, 480: none is foreground" in str(facts(tmp_path / "a.png")["remarks"])
     Image.new("L", (5, 5), 200).save(tmp_path / "a.png")
