@@ -564,8 +564,9 @@ TEST(Plans, reject_images_of_another_size) {
   Thinner thinner(Rule::guo_hall, 20, 8);
   StackThinner stack_thinner(Rule::guo_hall, 20, 8);
   const ImageView image = {memory.data(), 20, 9, 64};
-  const StackView stack = {memory.data(), 2, 5, 6};
+  const StackView stack = {memory.data(), 2, 5, 6}, low = {memory.data(), 1, 20, 7};
   expect_all_rejected({
+      {[&] { stack_thinner(low, low); }, "expected images of 20 x 8, got 20 x 7"},
       {[&] { thinner(image, image); }, "expected images of 20 x 8, got 20 x 9"},
       {[&] { stack_thinner(stack, stack); }, "expected images of 20 x 8, got 5 x 6"},
   });
@@ -576,12 +577,14 @@ TEST(Graphs, are_checked) {
   std::vector<std::uint8_t> row(3, 255);
   const ConstImageView image = {row.data(), 3, 1};
   const Graph graph = skeleton_graph(image);
-  Graph without_pixels = graph, outside = graph;
+  Graph without_pixels = graph, outside = graph, above = graph;
   without_pixels.edge_pixels.clear();
   outside.edge_pixels.front().x = -1;
+  above.edge_pixels.front().y = -1;
   const std::vector<Pixel> elsewhere = {{0, 7}};
   std::vector<std::int32_t> labels(8, 77);
-  const LabelView narrow = {labels.data(), 2, 4};
+  const LabelView narrow = {labels.data(), 2, 4}, low = {labels.data(), 8, 0};
+  const LabelView as_large = {labels.data(), 8, 1};
   std::vector<double> reals(3, 1);
   std::vector<std::uint8_t> other(3);
   const ImageView classes = {other.data(), 3, 1}, in_place = {row.data(), 3, 1};
@@ -608,6 +611,9 @@ TEST(Graphs, are_checked) {
       {[&] { (void)nearest_place(graph, 0, infinity); }, "expected a finite point, got 0, inf"},
       {[&] { (void)nearest_place(graph, infinity, 0); }, "expected a finite point"},
       {[&] { edge_labels(graph, narrow); }, "destination: smaller than the image of the graph"},
+      {[&] { edge_labels(graph, low); }, "destination: smaller than the image of the graph"},
+      {[&] { edge_labels(outside, as_large); }, "destination: smaller than the image of the graph"},
+      {[&] { edge_labels(above, as_large); }, "destination: smaller than the image of the graph"},
       {[&] { (void)main_paths(without_pixels); }, "edge 0: expected pixels below 0, got 1 from 0"},
       {finds_cycles({0, 2, 1}), "link 1: expected nodes below 2, got 0 and 2"},
       {finds_cycles({0, 1, -1}), "link 1: length: " + length + "-1"},
@@ -629,9 +635,18 @@ TEST(Graphs, are_checked) {
   for (const GraphPath& path :
        {GraphPath{0, {2}, {}}, GraphPath{0, {0}, {1}}, GraphPath{0, {0}, {0}, {}, 1},
         GraphPath{0, {0}, {0}, 1, {}}, GraphPath{0, {0}, {}, 0, {}}, GraphPath{},
-        GraphPath{0, {}, {0}, 0, {}}, GraphPath{0, {0}, {0}, 0, 0}, GraphPath{0, {0}, {0, 0}}}) {
+        GraphPath{0, {}, {0}, 0, {}}, GraphPath{0, {}, {0, 0}, 0, 0}, GraphPath{0, {0}, {0}, 0, 0},
+        GraphPath{0, {0}, {0, 0}}}) {
     expect_rejected([&] { (void)points_of(graph, path); }, "path: expected one of the graph");
   }
+  std::vector<std::uint8_t> longer_row(5, 255);
+  const Graph longer = skeleton_graph({longer_row.data(), 5, 1});
+  EXPECT_EQ(points_of(longer, GraphPath{0, {}, {0}, 0, 2}).size(), 3U);
+  expect_rejected(
+      [&] {
+        (void)points_of(longer, GraphPath{0, {}, {0}, 2, 0});
+      },
+      "path: expected one of the graph");
   EXPECT_EQ(labels, std::vector<std::int32_t>(8, 77));
   EXPECT_EQ(row, std::vector<std::uint8_t>(3, 255));
 }

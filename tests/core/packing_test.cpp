@@ -1,5 +1,7 @@
 #include "core/packing.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/layout.hpp"
@@ -79,6 +81,24 @@ TEST_P(PlaneConversion, round_trip_keeps_images_larger_than_caches_with_and_with
       ByteImage result(width, 2100);
       write(filled.view(), result.view());
       EXPECT_TRUE(equal(result.view(), image.view())) << width;
+    }
+  }
+}
+
+/// Non-temporal stores need aligned rows.
+TEST_P(PlaneConversion, writes_large_images_at_any_address_and_stride) {
+  constexpr Index width = 4096, height = 2100;
+  const ByteImage image = noise_image(width, height, 50, 8, 4);
+  BitPlane plane(width, height);
+  plane_conversion<std::uint64_t>(GetParam()).read(image.view(), plane.view());
+  const auto& filled = plane;
+  const auto& conversion = plane_conversion<std::uint64_t>(GetParam());
+  for (const auto write : {conversion.write, conversion.write_non_temporal}) {
+    for (const Index gap : {63, 64}) {
+      std::vector<std::uint8_t> bytes(std::size_t((width + gap) * height));
+      const ImageView result = {bytes.data() + gap % 64 / 3, width, height, width + gap};
+      write(filled.view(), result);
+      EXPECT_TRUE(equal(result, image.view())) << gap;
     }
   }
 }

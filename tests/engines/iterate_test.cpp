@@ -46,6 +46,16 @@ TEST(BandActivity, first_two_sub_iterations_visit_every_cell) {
   }
 }
 
+TEST(BandActivity, has_at_most_64_columns_of_equal_width) {
+  const std::pair<Index, int> kColumns[] = {{1, 1}, {63, 63}, {64, 64}, {65, 33}, {128, 64}};
+  for (const auto& [elements, columns] : kColumns) {
+    BandActivity activity({0, kRows}, elements, 1);
+    activity.restart();
+    const Visits all = {{0, ~std::uint64_t{0} >> (64 - columns)}};
+    EXPECT_EQ(visit(activity, 1, kNothing), all) << elements;
+  }
+}
+
 TEST(BandActivity, change_activates_the_cell_and_its_eight_neighbours_for_one_sub_iteration) {
   BandActivity activity({0, 6 * kRows}, 6, 1);
   activity.restart();
@@ -112,6 +122,20 @@ TEST(IterateTiles, equals_the_reference_on_several_threads) {
   // More than 7 x 256 tiles are enough for 7 threads; with fewer one works alone.
   for (const int threads : {2, 7}) expect_equal_to_reference(squares(2000, 2400, 24), threads);
   expect_equal_to_reference(noise_image(64, 16000, 88, 1, 3), 7);
+}
+
+/// They are not prefetched.
+TEST(IterateTiles, equals_the_reference_with_long_gaps_between_rows) {
+  constexpr Index width = 2000, height = 600;
+  ByteImage surrounding = filled_image(3 * width, height, 255);
+  ImageView source = surrounding.view();
+  source.width = width;
+  const ByteImage image = squares(width, height, 24);
+  for (Index y = 0; y < height; ++y) std::copy_n(image.view().row(y), width, source.row(y));
+  ByteImage by_tiles(width, height);
+  thin_by("simd_bitpacked_tiles", Rule::guo_hall, source, by_tiles.view(), {}, {.threads = 1});
+  const Thinned expected = thinned_by_reference(Rule::guo_hall, image, {});
+  EXPECT_TRUE(equal(by_tiles.view(), expected.image.view()));
 }
 
 TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {

@@ -74,6 +74,27 @@ TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
   }
 }
 
+/// Wider than the sums of 16 bits; narrower than a cache line, but large enough for non-temporal
+/// stores.
+TEST(Labels, of_images_of_extreme_shapes_equal_the_reference) {
+  for (const ByteImage& image : {noise_image(65535, 3, 50, 1, 2), noise_image(70001, 4, 70, 3, 5),
+                                 noise_image(9, 120000, 40, 1, 7)}) {
+    LabelImage expected = unwritten(image.view());
+    const reference::Regions regions = reference::label_regions(image.view(), expected.view());
+    for (const Isa isa : all_isas()) {
+      if (!isa_available(isa)) continue;
+      for (const int threads : {1, 2}) {
+        LabelImage found = unwritten(image.view());
+        const Execution execution = {.threads = threads, .isa = isa};
+        const Regions lists = label_regions(image.view(), found.view(), execution);
+        EXPECT_TRUE(lists.objects == regions.objects && lists.holes == regions.holes);
+        EXPECT_TRUE(found.labels == expected.labels) << image.width();
+        EXPECT_TRUE(find_regions(image.view(), execution).holes == regions.holes);
+      }
+    }
+  }
+}
+
 TEST(Labels, of_images_without_pixels_are_empty) {
   EXPECT_TRUE(label_regions({nullptr, 0, 5}, {nullptr, 0, 5}).objects.empty());
   EXPECT_TRUE(label_objects({nullptr, 5, 0}, {nullptr, 5, 0}, Connectivity::four).empty());

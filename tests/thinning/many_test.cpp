@@ -213,11 +213,14 @@ TEST(StackThinner, thins_large_images_on_a_thread_each_and_the_last_ones_on_all)
 
 TEST(StackThinner, takes_a_different_number_of_images_in_each_call) {
   StackThinner thinner(Rule::guo_hall, 28, 28, {}, {.threads = 2});
-  for (const Index count : {40, 3, 0, 17}) {
-    Stack stack = noise_stack(count, 28, 28), expected = stack;
-    EXPECT_EQ(thinner(stack.view(), stack.view()), thin_each(Rule::guo_hall, expected));
-    EXPECT_TRUE(stack.bytes == expected.bytes) << count;
-  }
+  StackThinner large_thinner(Rule::guo_hall, 1100, 1000, {}, {.threads = 2});
+  const auto thins = [](StackThinner& by, Stack stack) {
+    Stack expected = stack;
+    EXPECT_EQ(by(stack.view(), stack.view()), thin_each(Rule::guo_hall, expected));
+    EXPECT_TRUE(stack.bytes == expected.bytes) << stack.count << " of width " << stack.width;
+  };
+  for (const Index count : {40, 3, 0, 17, 1000}) thins(thinner, noise_stack(count, 28, 28));
+  for (const Index count : {1, 3, 1, 2}) thins(large_thinner, noise_stack(count, 1100, 1000));
 }
 
 TEST(StackThinner, takes_no_iteration_for_an_empty_stack_and_one_for_images_without_pixels) {
