@@ -80,6 +80,7 @@ TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directio
   constexpr Index height = 150;
   for (const Index width : {70, 511, 512, 600}) {
     const ByteImage image = noise_image(width, height, 75, 9, 11);
+    const ByteImage first_image = noise_image(width, height, 75, 9, 12);
     ByteImage expected(width, height);
     ByteImage found(width, height);
     for (int bits = 0; bits < 32; ++bits) {
@@ -88,6 +89,7 @@ TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directio
       reference::midpoint_scan(directions, border, image.view(), expected.view());
       for_each_state({directions, border}, width, height, 3,
                      [&](MidpointState& state, const std::string& name) {
+                       state.run(first_image.view(), found.view());
                        state.run(image.view(), found.view());
                        EXPECT_TRUE(equal(found.view(), expected.view()))
                            << name << ", " << width << " wide, set " << bits;
