@@ -32,7 +32,6 @@ def crosscheck(*operations: str, images: str = "*") -> str:
 
 # Rules of one and two stages, with and without borders, stand for all where the code is not a rule.
 SOME = ("thin_guo_hall", "thin_guo_hall_keep", "thin_mb2", "thin_mb2_keep")
-CORE = "core_test -Isa*"  # those tests need every ISA
 COMPILE = "compile_test -ThoroughSearch*"
 GOLDEN = "golden_test *outputs_equal*"
 ITERATE = "engines_test *Iterate*:*Tile*:*State*-*threads*"
@@ -80,9 +79,9 @@ FAMILIES = (
            (COMPILE, SOME_TABLES, "engines_test *RandomRules*variant/1:BuiltIn* THINBENCH_MACHINE_CODE=off"),
            ("engines_test", crosscheck("apply_*"), GOLDEN)),
     Family("core", ("core/byte_image.cpp", "core/packed_rows.cpp", "core/packing.cpp"),
-           (CORE, "localise_test", GOLDEN, "api_test *Pack*:*pack*", SIZES), (*THINNING, "edges_test", "scan_test")),
+           ("core_test", "localise_test", GOLDEN, "api_test *Pack*:*pack*", SIZES), (*THINNING, "edges_test", "scan_test")),
     Family("simd", ("simd/*",),
-           (CORE, "edges_test", "techniques_test", "scan_test", "localise_test", "engines_test TileGrid*",
+           ("core_test", "edges_test", "techniques_test", "scan_test", "localise_test", "engines_test TileGrid*",
             *SOME_THINNING), (*THINNING, "regions_test", NETS)),
     Family("lists", ("thinning/canvases.*", "thinning/labels.cpp", "thinning/many.cpp"),
            ("thinning_test *ThinMany*:*ThinLabels*:*Layouts*", crosscheck("labels_*", images="shapes")),
