@@ -103,6 +103,13 @@ TEST(Binarise, channels_of_a_colour_are_its_samples_their_sum_by_weight_and_how_
   }
 }
 
+TEST(Binarise, channel_of_a_grey_part_of_a_colour_image_is_grey) {
+  const std::uint8_t rows[] = {10, 10, 10, 20, 20, 20, 200, 100, 50};
+  ByteImage found(1, 2);
+  EXPECT_EQ(select_channel({rows, 1, 2, 3, 3}, found.view(), Channel::red), Channel::grey);
+  EXPECT_EQ(found.at(0, 1), 20);
+}
+
 TEST(Binarise, default_window_is_an_eighth_of_the_smaller_side_odd_and_at_least_15) {
   for (const auto& [width, height, window] :
        {std::array<Index, 3>{40, 30, 15}, {136, 900, 17}, {900, 400, 51}}) {
@@ -145,6 +152,14 @@ TEST(Binarise, foreground_of_one_pixel_is_all_or_nothing) {
        {std::pair{Foreground::bright, 1.0}, {Foreground::dark, 0.0}}) {
     const Binarisation request{.foreground = foreground, .threshold = 100};
     EXPECT_EQ(binarise(pixel.view(), out.view(), request).foreground_share, share);
+  }
+}
+
+TEST(Binarise, foreground_of_no_pixel_is_the_one_asked_for) {
+  for (const auto& [asked, used] : {std::pair{Foreground::automatic, Foreground::bright},
+                                    {Foreground::bright, Foreground::bright},
+                                    {Foreground::dark, Foreground::dark}}) {
+    EXPECT_EQ(binarise({nullptr, 0, 3}, {nullptr, 0, 3}, {.foreground = asked}).foreground, used);
   }
 }
 
