@@ -642,11 +642,8 @@ TEST(Graphs, are_checked) {
   std::vector<std::uint8_t> longer_row(5, 255);
   const Graph longer = skeleton_graph({longer_row.data(), 5, 1});
   EXPECT_EQ(points_of(longer, GraphPath{0, {}, {0}, 0, 2}).size(), 3U);
-  expect_rejected(
-      [&] {
-        (void)points_of(longer, GraphPath{0, {}, {0}, 2, 0});
-      },
-      "path: expected one of the graph");
+  const GraphPath backwards = {0, {}, {0}, 2, 0};
+  expect_rejected([&] { (void)points_of(longer, backwards); }, "path: expected one of the graph");
   EXPECT_EQ(labels, std::vector<std::int32_t>(8, 77));
   EXPECT_EQ(row, std::vector<std::uint8_t>(3, 255));
 }
