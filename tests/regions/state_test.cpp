@@ -43,6 +43,7 @@ TEST(FillState, fills_holes_up_to_an_area) {
   for (const Connectivity objects : {Connectivity::eight, Connectivity::four}) {
     for (const int percent : {30, 45, 60}) {
       const ByteImage image = noise_image(190, 90, percent, 2, 6);
+      const ByteImage first_image = noise_image(190, 90, percent, 2, 7);
       ByteImage expected(190, 90);
       ByteImage found(190, 90);
       for (const std::int64_t max_area : {0, 4, 20, 4000}) {
@@ -52,11 +53,10 @@ TEST(FillState, fills_holes_up_to_an_area) {
         for (const auto& variant : operation_of(parameters).variants) {
           if (!unavailable_reason(variant, 190).empty()) continue;
           const auto state = make_state(variant, 190, 90, parameters, 1);
-          for (int call = 0; call < 2; ++call) {
-            state->run(image.view(), found.view());
-            ASSERT_TRUE(equal(found.view(), expected.view()))
-                << name_of(variant) << ", " << percent << " %, up to " << max_area;
-          }
+          state->run(first_image.view(), found.view());
+          state->run(image.view(), found.view());
+          ASSERT_TRUE(equal(found.view(), expected.view()))
+              << name_of(variant) << ", " << percent << " %, up to " << max_area;
         }
       }
     }
