@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include <pthread.h>
@@ -19,11 +20,19 @@
 #include "core/byte_image.hpp"
 #include "harness/splitmix64.hpp"
 #include "thinbench.h"
+#include "thinbench/binarise.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/graph.hpp"
+#include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_paths.hpp"
+#include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/many.hpp"
+#include "thinbench/midpoint_scan.hpp"
 #include "thinbench/named_rules.hpp"
+#include "thinbench/packed.hpp"
+#include "thinbench/path.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
@@ -68,37 +77,153 @@ detail::ByteImage test_image(Index width, Index height) {
   return image;
 }
 
-/// Pixels of every rule, and what all other operations count.
-std::uint64_t results_of_every_operation() {
-  const detail::ByteImage image = test_image(700, 90);  // in tiles
-  detail::ByteImage result(image.width(), image.height());
-  std::uint64_t sum = 0;
-  const auto add = [&] {
-    for (Index y = 0; y < result.height(); ++y) {
-      for (Index x = 0; x < result.width(); ++x) sum = sum * 31 + result.at(x, y);
+/// Of the numbers of all results, in their order.
+class Sum {
+ public:
+  template <class T>
+  void add(T number) {
+    sum_ = sum_ * 31 + static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
+  }
+  template <class T>
+  void add(const View<T>& image) {
+    for (Index y = 0; y < image.height; ++y) {
+      for (Index x = 0; x < image.width; ++x) add(image.row(y)[x]);
     }
-  };
+  }
+  [[nodiscard]] std::uint64_t value() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0;
+};
+
+/// An image, and what calls write.
+struct Places {
+  detail::ByteImage image = test_image(700, 90);  // in tiles
+  detail::ByteImage result{700, 90};
+  std::vector<std::int32_t> numbers = std::vector<std::int32_t>(700 * 90);
+  std::vector<std::int32_t> more_numbers = numbers;
+  std::vector<double> real_numbers = std::vector<double>(700 * 90);
+  LabelView labels = {numbers.data(), 700, 90};
+  LabelView other_labels = {more_numbers.data(), 700, 90};
+  View<double> reals = {real_numbers.data(), 700, 90};
+};
+
+void add_thinning(Places& places, Sum& sum) {
+  const auto& [image, result] = std::tie(places.image, places.result);
   for (const RuleInfo& info : kRules) {
     thin(info.rule, image.view(), result.view());
-    add();
+    sum.add(result.view());
   }
   const Rule life(table_from_hensel("B3/S23"), {.max_iterations = 3});
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     thin(life, image.view(), result.view(), {}, {.isa = isa});
-    add();
+    sum.add(result.view());
   }
+  for (const NamedRule& named : named_rules()) {
+    sum.add(thin(Rule(named.sub_iterations, {.max_iterations = 2}), image.view(), result.view()));
+    sum.add(result.view());
+  }
+  const ConstStackView stack(image.view().data, 3, 700, 30, image.view().stride,
+                             30 * image.view().stride);
+  const StackView thinned(result.view().data, 3, 700, 30, result.view().stride,
+                          30 * result.view().stride);
+  thin_stack(Rule::mb2, stack, thinned);
+  sum.add(result.view());
+  const ConstImageView source = image.view();
+  const ImageView destination = result.view();
+  thin_many(Rule::lu_wang, {&source, 1}, {&destination, 1});
+  sum.add(result.view());
+  std::vector<std::uint8_t> bits(90 * packed_row_bytes(700), 0x5a);
+  const PackedView packed(bits.data(), 700, 90, BitOrder::msb_first);
+  sum.add(thin_packed(Rule::guo_hall, packed, packed));
+}
+
+void add_pixel_operations(Places& places, Sum& sum) {
+  const auto& [image, result] = std::tie(places.image, places.result);
   detect_edges(EdgeOperator::sobel, image.view(), result.view(), {}, {});
-  add();
-  std::vector<std::int32_t> numbers(static_cast<std::size_t>(image.width() * image.height()));
-  const LabelView labels = {numbers.data(), image.width(), image.height()};
-  squared_distances(image.view(), labels);
-  for (const std::int32_t number : numbers) sum = sum * 31 + static_cast<std::uint32_t>(number);
-  sum += static_cast<std::uint64_t>(label_image(image.view(), labels, Connectivity::eight));
-  sum += find_regions(image.view()).objects.size();
-  sum += localise_objects(image.view(), {}, {}).objects.size();
-  sum += skeleton_graph(image.view()).edges.size();
-  return sum;
+  sum.add(result.view());
+  midpoint_scan(image.view(), result.view());
+  sum.add(result.view());
+  fill_holes(image.view(), result.view());
+  sum.add(result.view());
+  sum.add(binarise(result.view(), result.view()).threshold);
+  sum.add(result.view());
+  sum.add(binarise(image.view(), result.view(), {.local = LocalThreshold{}}).foreground_share *
+          1e9);
+  sum.add(result.view());
+  const ConstColourView colours = {image.view().data, 200, 90, image.view().stride};
+  const ImageView channel(result.view().data, 200, 90, result.view().stride);
+  sum.add(select_channel(colours, channel, Channel::automatic));
+  sum.add(channel);
+  std::vector<std::uint16_t> levels(700 * 90, 7);
+  levels[5] = 65535;
+  sum.add(binarise16({levels.data(), 700, 90}, result.view()).threshold);
+}
+
+void add_regions(Places& places, Sum& sum) {
+  const ConstImageView image = places.image.view();
+  sum.add(find_regions(image).objects.size());
+  sum.add(find_objects(image).size());
+  sum.add(label_regions(image, places.labels).holes.size());
+  sum.add(label_objects(image, places.labels).size());
+  sum.add(label_image(image, places.labels, Connectivity::eight));
+  sum.add(places.labels);
+  sum.add(label_values(places.labels, places.other_labels));
+  sum.add(places.other_labels);
+  fill_holes_of_labels(places.labels, places.other_labels);
+  sum.add(places.other_labels);
+  sum.add(thin_labels(Rule::guo_hall, places.labels, places.other_labels));
+  sum.add(places.other_labels);
+  sum.add(euler_number(image));
+  sum.add(localise_objects(image, {}, {}).objects.size());
+}
+
+void add_graphs(Places& places, Sum& sum) {
+  const ConstImageView image = places.image.view();
+  const ImageView result = places.result.view();
+  squared_distances(image, places.labels);
+  sum.add(places.labels);
+  distances(image, places.reals);
+  classify_pixels(image, result, {});
+  sum.add(result);
+  sum.add(full_blocks(image).count);
+  thin(Rule::guo_hall, image, result);
+  const Graph graph = prune(result, result, {.min_widths = 1, .distances = places.reals});
+  sum.add(result);
+  sum.add(skeleton_graph(image).edges.size());
+  for (const EdgeWidths& widths : edge_widths(graph, places.reals)) sum.add(widths.mean * 1e6);
+  for (const GraphEdge& edge : graph.edges) sum.add(polyline(points_of(graph, edge), 1).size());
+  for (const GraphPath& path : main_paths(graph)) sum.add(path.nodes.size());
+  const auto nodes = static_cast<std::uint32_t>(graph.nodes.size());
+  const std::vector<Link> links = links_of(graph);
+  sum.add(cycles(nodes, links).size());
+  sum.add(components_of(nodes, links).back());
+  if (const auto path = shortest_path(nodes, links, 0, 1)) sum.add(path->nodes.size());
+  Pixel start = {0, 0};
+  while (image.row(0)[start.x] == 0) ++start.x;
+  sum.add(find_path(image, {.start = start, .goal = start})->pixels.size());
+}
+
+void add_graphs_of_labels(Places& places, Sum& sum) {
+  label_image(places.image.view(), places.labels);
+  thin_labels(Rule::guo_hall, places.labels, places.other_labels);
+  sum.add(graph_of_labels(places.other_labels).graph.edges.size());
+  distances_of_labels(places.labels, places.reals);
+  const Pruning pruning = {.min_widths = 1, .distances = places.reals};
+  prune_labels(places.other_labels, places.other_labels, pruning);
+  sum.add(places.other_labels);
+}
+
+std::uint64_t results_of_every_operation() {
+  Places places;
+  Sum sum;
+  add_thinning(places, sum);
+  add_pixel_operations(places, sum);
+  add_regions(places, sum);
+  add_graphs(places, sum);
+  add_graphs_of_labels(places, sum);
+  return sum.value();
 }
 
 std::string message_of_a_failure() {

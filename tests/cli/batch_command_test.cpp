@@ -79,6 +79,17 @@ TEST_F(BatchCommand, reads_a_list_of_inputs_from_standard_input) {
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "60.png", "a\n*.png", "manifest.csv"}));
 }
 
+TEST_F(BatchCommand, a_list_of_lines_with_nul_characters_is_rejected) {
+  std::istringstream stream(std::string("in/40.png") + '\0' + "in/50.png\n");
+  std::streambuf* const before = std::cin.rdbuf(stream.rdbuf());
+  const ProgramRun run = batch("thin_guo_hall -");
+  std::cin.rdbuf(before);
+  std::cin.clear();
+  EXPECT_EQ(run.status, 1);
+  expect_holds(run.err, "the list has NUL characters; expected a path on each line, or --null");
+  EXPECT_FALSE(fs::exists("out"));
+}
+
 TEST_F(BatchCommand, results_inside_the_inputs_are_not_inputs_of_the_next_run) {
   const std::string again = "batch thin_guo_hall in --recursive --out in/out";
   output_of(again);

@@ -185,8 +185,9 @@ LARGE: dict[str, tuple[Callable[[Path], object], float]] = {
 NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
           "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25,
           "fill-holes {} out.png": 1.2, "localise {}": 2.2, "labels {} out.png": 7, "distance {} out.png": 11,
-          "holes {} --threshold local": 2.2}
-"""Bytes per pixel: of the image, of edges beside it, of planes of bits and of runs."""
+          "holes {} --threshold local": 2.2, "euler {}": 1, "graph {} --csv out.csv": 11.5,
+          "path {} --start 1,1 --goal 3998,3998 --foreground dark": 25, "holes {} --overlay out.png": 6.5}
+"""Bytes per pixel: of the image, of edges beside it, of planes of bits, of runs and of graphs."""
 
 
 @pytest.mark.parametrize("kind", LARGE)

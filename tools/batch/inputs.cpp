@@ -61,6 +61,10 @@ class Search {
   void add_list(std::istream& list) {
     std::string path;
     while (std::getline(list, path, request_.null_separated ? '\0' : '\n')) {
+      if (path.find('\0') != std::string::npos) {
+        throw std::runtime_error(
+            "the list has NUL characters; expected a path on each line, or --null");
+      }
       if (!path.empty()) add_path(path);
     }
   }

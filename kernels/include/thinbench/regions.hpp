@@ -19,7 +19,7 @@ struct Regions {
 
 // In all functions 0 is background and anything else is foreground; everything outside the image is
 // background; objects are 8-connected and holes 4-connected. All functions are thread-safe; all but
-// label_values, fill_holes and fill_holes_of_labels share a large image among threads. They
+// label_values and fill_holes share a large image among threads. They
 // throw std::invalid_argument for a negative size, a stride below the width, a null image, a side
 // above 2^29 or more than 2^32 pixels, threads out of range and an ISA that is not available, and
 // std::bad_alloc if memory runs out.
