@@ -36,7 +36,7 @@ COMPILE = "compile_test -ThoroughSearch*"
 GOLDEN = "golden_test *outputs_equal*"
 ITERATE = "engines_test *Iterate*:*Tile*:*State*-*threads*"
 SIZES = "engines_test *at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background"
-SOME_TABLES = "engines_test *RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*"
+SOME_TABLES = "engines_test *RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*:TallImages*"
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN, SIZES)
 API = "api_test -Sizes.thin_*"  # without those that take gigabytes
 SOME_IMAGES = " THINBENCH_CROSSCHECK_EVERY=7"  # all take ten minutes
