@@ -279,9 +279,9 @@ TEST(LargeImages, equal_the_reference_in_every_variant_with_one_to_eight_sub_ite
   }
 }
 
-/// The row kernel has at most 64 bands of equally many rows.
+/// The row kernel has at most 64 bands of equally many rows, of 8 up to 512 rows.
 TEST(TallImages, whose_rows_fill_64_bands_equal_the_reference) {
-  for (const Index height : {512, 576}) {
+  for (const Index height : {512, 520, 576}) {
     expect_every_variant_equal(Rule::guo_hall, {Border::background, kUnlimited},
                                noise_image(90, height, 93, 2, 1));
   }
