@@ -25,12 +25,14 @@
 #include "thinbench/edges.hpp"
 #include "thinbench/graph.hpp"
 #include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_parts.hpp"
 #include "thinbench/graph_paths.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
 #include "thinbench/many.hpp"
 #include "thinbench/midpoint_scan.hpp"
 #include "thinbench/named_rules.hpp"
+#include "thinbench/nets.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/path.hpp"
 #include "thinbench/regions.hpp"
@@ -134,9 +136,12 @@ void add_thinning(Places& places, Sum& sum) {
   const ImageView destination = result.view();
   thin_many(Rule::lu_wang, {&source, 1}, {&destination, 1});
   sum.add(result.view());
+  const TwoLayerWeights weights = {};
+  sum.add(thin(Rule::from_net(weights, Activation::sigmoid), image.view(), result.view()));
   std::vector<std::uint8_t> bits(90 * packed_row_bytes(700), 0x5a);
   const PackedView packed(bits.data(), 700, 90, BitOrder::msb_first);
   sum.add(thin_packed(Rule::guo_hall, packed, packed));
+  for (const std::uint8_t byte : bits) sum.add(byte);
 }
 
 void add_pixel_operations(Places& places, Sum& sum) {
@@ -159,6 +164,11 @@ void add_pixel_operations(Places& places, Sum& sum) {
   std::vector<std::uint16_t> levels(700 * 90, 7);
   levels[5] = 65535;
   sum.add(binarise16({levels.data(), 700, 90}, result.view()).threshold);
+  sum.add(result.view());
+  std::vector<std::uint16_t> darkest(200 * 90);
+  const View<std::uint16_t> channel16(darkest.data(), 200, 90);
+  sum.add(select_channel16({levels.data(), 200, 90, 700, 3}, channel16, Channel::automatic));
+  sum.add(channel16);
 }
 
 void add_regions(Places& places, Sum& sum) {
@@ -179,11 +189,24 @@ void add_regions(Places& places, Sum& sum) {
   sum.add(localise_objects(image, {}, {}).objects.size());
 }
 
+void add_parts(const Graph& graph, Places& places, Sum& sum) {
+  sum.add(subgraph(graph, std::vector<std::uint32_t>{0, 1}).nodes.size());
+  sum.add(open_cycles(graph).edges.size());
+  const GraphEdge& edge = graph.edges.front();
+  sum.add(split_graph(graph, points_of(graph, edge)).nodes.size());
+  sum.add(nearest_place(graph, 350, 45).edge);
+  edge_labels(graph, places.labels);
+  sum.add(places.labels);
+  for (const EdgeSummary& line : summary(graph)) sum.add(line.length * 1e6);
+}
+
 void add_graphs(Places& places, Sum& sum) {
   const ConstImageView image = places.image.view();
   const ImageView result = places.result.view();
   squared_distances(image, places.labels);
   sum.add(places.labels);
+  distances(image, places.reals, {.x = 0.5, .y = 2});
+  for (const double distance : places.real_numbers) sum.add(distance * 4096);
   distances(image, places.reals);
   classify_pixels(image, result, {});
   sum.add(result);
@@ -200,6 +223,7 @@ void add_graphs(Places& places, Sum& sum) {
   sum.add(cycles(nodes, links).size());
   sum.add(components_of(nodes, links).back());
   if (const auto path = shortest_path(nodes, links, 0, 1)) sum.add(path->nodes.size());
+  add_parts(graph, places, sum);
   Pixel start = {0, 0};
   while (image.row(0)[start.x] == 0) ++start.x;
   sum.add(find_path(image, {.start = start, .goal = start})->pixels.size());
@@ -210,6 +234,7 @@ void add_graphs_of_labels(Places& places, Sum& sum) {
   thin_labels(Rule::guo_hall, places.labels, places.other_labels);
   sum.add(graph_of_labels(places.other_labels).graph.edges.size());
   distances_of_labels(places.labels, places.reals);
+  for (const double distance : places.real_numbers) sum.add(distance * 4096);
   const Pruning pruning = {.min_widths = 1, .distances = places.reals};
   prune_labels(places.other_labels, places.other_labels, pruning);
   sum.add(places.other_labels);
@@ -274,8 +299,10 @@ void call_after_main() {
   if (message_of_a_failure() != failure) fail("in a message after main");
 }
 
+/// First of all, as rules that are made once are kept.
 void* call_in_thread(void*) {
-  if (results_of_every_operation() != expected) fail("in a thread");
+  expected = results_of_every_operation();
+  failure = message_of_a_failure();
   return nullptr;
 }
 
@@ -296,12 +323,11 @@ int main() {
   }
 #endif
   if (std::atexit(&thinbench::call_after_main) != 0) return 2;
-  thinbench::expected = thinbench::results_of_every_operation();
-  thinbench::failure = thinbench::message_of_a_failure();
   pthread_attr_t attributes;
   pthread_t thread{};
   pthread_attr_init(&attributes);
   if (pthread_attr_setstacksize(&attributes, thinbench::kStackBytes) != 0) return 2;
   if (pthread_create(&thread, &attributes, &thinbench::call_in_thread, nullptr) != 0) return 2;
   pthread_join(thread, nullptr);
+  if (thinbench::results_of_every_operation() != thinbench::expected) thinbench::fail("in main");
 }

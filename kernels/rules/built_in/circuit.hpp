@@ -25,7 +25,7 @@ template <BuiltInRule rule, int sub>
 inline constexpr Circuit<0> kTwoInputCircuit = {};
 
 /// The pixels and the first `count` gates of a circuit. A chain, as GCC inlines less around an
-/// array: docs/experiments.md#word-scan.
+/// array.
 template <const auto& circuit, std::size_t count, class Word>
 struct Values {
   const Values<circuit, count - 1, Word>& earlier;
