@@ -8,7 +8,6 @@
 #include <new>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 #include <pthread.h>
@@ -111,33 +110,30 @@ struct Places {
 };
 
 void add_thinning(Places& places, Sum& sum) {
-  const auto& [image, result] = std::tie(places.image, places.result);
+  const ConstImageView image = places.image.view();
+  const ImageView result = places.result.view();
   for (const RuleInfo& info : kRules) {
-    thin(info.rule, image.view(), result.view());
-    sum.add(result.view());
+    thin(info.rule, image, result);
+    sum.add(result);
   }
   const Rule life(table_from_hensel("B3/S23"), {.max_iterations = 3});
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
-    thin(life, image.view(), result.view(), {}, {.isa = isa});
-    sum.add(result.view());
+    thin(life, image, result, {}, {.isa = isa});
+    sum.add(result);
   }
   for (const NamedRule& named : named_rules()) {
-    sum.add(thin(Rule(named.sub_iterations, {.max_iterations = 2}), image.view(), result.view()));
-    sum.add(result.view());
+    sum.add(thin(Rule(named.sub_iterations, {.max_iterations = 2}), image, result));
+    sum.add(result);
   }
-  const ConstStackView stack(image.view().data, 3, 700, 30, image.view().stride,
-                             30 * image.view().stride);
-  const StackView thinned(result.view().data, 3, 700, 30, result.view().stride,
-                          30 * result.view().stride);
+  const ConstStackView stack(image.data, 3, 700, 30, image.stride, 30 * image.stride);
+  const StackView thinned(result.data, 3, 700, 30, result.stride, 30 * result.stride);
   thin_stack(Rule::mb2, stack, thinned);
-  sum.add(result.view());
-  const ConstImageView source = image.view();
-  const ImageView destination = result.view();
-  thin_many(Rule::lu_wang, {&source, 1}, {&destination, 1});
-  sum.add(result.view());
+  sum.add(result);
+  thin_many(Rule::lu_wang, {&image, 1}, {&result, 1});
+  sum.add(result);
   const TwoLayerWeights weights = {};
-  sum.add(thin(Rule::from_net(weights, Activation::sigmoid), image.view(), result.view()));
+  sum.add(thin(Rule::from_net(weights, Activation::sigmoid), image, result));
   std::vector<std::uint8_t> bits(90 * packed_row_bytes(700), 0x5a);
   const PackedView packed(bits.data(), 700, 90, BitOrder::msb_first);
   sum.add(thin_packed(Rule::guo_hall, packed, packed));
@@ -145,26 +141,26 @@ void add_thinning(Places& places, Sum& sum) {
 }
 
 void add_pixel_operations(Places& places, Sum& sum) {
-  const auto& [image, result] = std::tie(places.image, places.result);
-  detect_edges(EdgeOperator::sobel, image.view(), result.view(), {}, {});
-  sum.add(result.view());
-  midpoint_scan(image.view(), result.view());
-  sum.add(result.view());
-  fill_holes(image.view(), result.view());
-  sum.add(result.view());
-  sum.add(binarise(result.view(), result.view()).threshold);
-  sum.add(result.view());
-  sum.add(binarise(image.view(), result.view(), {.local = LocalThreshold{}}).foreground_share *
-          1e9);
-  sum.add(result.view());
-  const ConstColourView colours = {image.view().data, 200, 90, image.view().stride};
-  const ImageView channel(result.view().data, 200, 90, result.view().stride);
+  const ConstImageView image = places.image.view();
+  const ImageView result = places.result.view();
+  detect_edges(EdgeOperator::sobel, image, result, {}, {});
+  sum.add(result);
+  midpoint_scan(image, result);
+  sum.add(result);
+  fill_holes(image, result);
+  sum.add(result);
+  sum.add(binarise(result, result).threshold);
+  sum.add(result);
+  sum.add(binarise(image, result, {.local = LocalThreshold{}}).foreground_share * 1e9);
+  sum.add(result);
+  const ConstColourView colours = {image.data, 200, 90, image.stride};
+  const ImageView channel(result.data, 200, 90, result.stride);
   sum.add(select_channel(colours, channel, Channel::automatic));
   sum.add(channel);
   std::vector<std::uint16_t> levels(700 * 90, 7);
   levels[5] = 65535;
-  sum.add(binarise16({levels.data(), 700, 90}, result.view()).threshold);
-  sum.add(result.view());
+  sum.add(binarise16({levels.data(), 700, 90}, result).threshold);
+  sum.add(result);
   std::vector<std::uint16_t> darkest(200 * 90);
   const View<std::uint16_t> channel16(darkest.data(), 200, 90);
   sum.add(select_channel16({levels.data(), 200, 90, 700, 3}, channel16, Channel::automatic));
@@ -206,7 +202,7 @@ void add_graphs(Places& places, Sum& sum) {
   squared_distances(image, places.labels);
   sum.add(places.labels);
   distances(image, places.reals, {.x = 0.5, .y = 2});
-  for (const double distance : places.real_numbers) sum.add(distance * 4096);
+  sum.add(places.reals);
   distances(image, places.reals);
   classify_pixels(image, result, {});
   sum.add(result);
@@ -234,7 +230,7 @@ void add_graphs_of_labels(Places& places, Sum& sum) {
   thin_labels(Rule::guo_hall, places.labels, places.other_labels);
   sum.add(graph_of_labels(places.other_labels).graph.edges.size());
   distances_of_labels(places.labels, places.reals);
-  for (const double distance : places.real_numbers) sum.add(distance * 4096);
+  sum.add(places.reals);
   const Pruning pruning = {.min_widths = 1, .distances = places.reals};
   prune_labels(places.other_labels, places.other_labels, pruning);
   sum.add(places.other_labels);

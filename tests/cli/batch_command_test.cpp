@@ -64,27 +64,25 @@ TEST_F(BatchCommand, finds_inputs_in_directories_patterns_and_files) {
   EXPECT_EQ(results(), (Names{"a.png", "manifest.csv"}));
 }
 
+ProgramRun thin_list(const std::string& list, const std::string& words) {
+  std::istringstream stream(list);
+  std::streambuf* const before = std::cin.rdbuf(stream.rdbuf());
+  const ProgramRun run = batch("thin_guo_hall " + words);
+  std::cin.rdbuf(before);
+  std::cin.clear();
+  return run;
+}
+
 TEST_F(BatchCommand, reads_a_list_of_inputs_from_standard_input) {
   write_bar("in/a\n*.png", 70);
-  const auto run_on_list = [&](const std::string& list, const std::string& words) {
-    std::istringstream stream(list);
-    std::streambuf* const before = std::cin.rdbuf(stream.rdbuf());
-    done("thin_guo_hall " + words);
-    std::cin.rdbuf(before);
-    std::cin.clear();
-  };
-  run_on_list("in/40.png\nin/50.png\n", "-");
+  EXPECT_EQ(thin_list("in/40.png\nin/50.png\n", "-").status, 0);
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "manifest.csv"}));
-  run_on_list(std::string("in/a\n*.png") + '\0' + "in/60.png", "- --null");
+  EXPECT_EQ(thin_list(std::string("in/a\n*.png") + '\0' + "in/60.png", "- --null").status, 0);
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "60.png", "a\n*.png", "manifest.csv"}));
 }
 
 TEST_F(BatchCommand, a_list_of_lines_with_nul_characters_is_rejected) {
-  std::istringstream stream(std::string("in/40.png") + '\0' + "in/50.png\n");
-  std::streambuf* const before = std::cin.rdbuf(stream.rdbuf());
-  const ProgramRun run = batch("thin_guo_hall -");
-  std::cin.rdbuf(before);
-  std::cin.clear();
+  const ProgramRun run = thin_list(std::string("in/40.png") + '\0' + "in/50.png\n", "-");
   EXPECT_EQ(run.status, 1);
   expect_holds(run.err, "the list has NUL characters; expected a path on each line, or --null");
   EXPECT_FALSE(fs::exists("out"));
